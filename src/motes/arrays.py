@@ -1,0 +1,145 @@
+"""Array namespaces: the eight functions that the equations need, for every library whose arrays Motes accepts.
+
+`equations.py` is written over a namespace ``xp`` that offers ``sqrt, exp, expm1, asin, minimum, maximum, where`` (and arithmetic
+and comparisons on its arrays), nothing else.  Sampling needs ``sin, cos, log`` and ``stack`` too.  `namespace` chooses from the
+types of the inputs, so that NumPy in means NumPy out, and a tensor in means a tensor of the same library, with its gradient, out.
+
+There is no ``acos``: see `motes.directions.polar_angle` for why angles are taken through ``asin``.
+"""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+
+# Any of: float, numpy.ndarray, torch.Tensor, jax.Array, a Dr.Jit array, motes.tracing.Symbol.
+Array = Any
+
+NUMPY = SimpleNamespace(
+    name="numpy",
+    sqrt=np.sqrt,
+    exp=np.exp,
+    expm1=np.expm1,
+    asin=np.arcsin,
+    minimum=np.minimum,
+    maximum=np.maximum,
+    where=np.where,
+    sin=np.sin,
+    cos=np.cos,
+    log=np.log,
+    stack=lambda parts: np.stack(np.broadcast_arrays(*parts), axis=-1),
+)
+
+
+def _torch() -> SimpleNamespace:
+    import torch
+
+    def like(a: Array, b: Array) -> tuple[Array, Array]:
+        """Both as tensors: torch.minimum does not take Python numbers."""
+        if not isinstance(a, torch.Tensor):
+            a = torch.as_tensor(a, dtype=b.dtype, device=b.device)
+        if not isinstance(b, torch.Tensor):
+            b = torch.as_tensor(b, dtype=a.dtype, device=a.device)
+        return a, b
+
+    def pairwise(tensors: Any, numbers: Any) -> Any:
+        return lambda a, b: tensors(*like(a, b)) if isinstance(a, torch.Tensor) or isinstance(b, torch.Tensor) else numbers(a, b)
+
+    def lifted(function: Any) -> Any:
+        """The function on tensors; a Python number (a parameter) becomes a float64 tensor of no dimension, which never promotes."""
+        return lambda x: function(x if isinstance(x, torch.Tensor) else torch.tensor(float(x), dtype=torch.float64))
+
+    return SimpleNamespace(
+        name="torch",
+        sqrt=lifted(torch.sqrt),
+        exp=lifted(torch.exp),
+        expm1=lifted(torch.expm1),
+        asin=lifted(torch.asin),
+        minimum=pairwise(torch.minimum, min),
+        maximum=pairwise(torch.maximum, max),
+        where=lambda c, a, b: torch.where(c, a, b) if isinstance(c, torch.Tensor) else (a if c else b),
+        sin=lifted(torch.sin),
+        cos=lifted(torch.cos),
+        log=lifted(torch.log),
+        stack=lambda parts: torch.stack(torch.broadcast_tensors(*parts), dim=-1),
+    )
+
+
+def _jax() -> SimpleNamespace:
+    import jax.numpy as jnp
+
+    return SimpleNamespace(
+        name="jax",
+        sqrt=jnp.sqrt,
+        exp=jnp.exp,
+        expm1=jnp.expm1,
+        asin=jnp.arcsin,
+        minimum=jnp.minimum,
+        maximum=jnp.maximum,
+        where=jnp.where,
+        sin=jnp.sin,
+        cos=jnp.cos,
+        log=jnp.log,
+        stack=lambda parts: jnp.stack(jnp.broadcast_arrays(*parts), axis=-1),
+    )
+
+
+def _drjit() -> SimpleNamespace:
+    import drjit as dr
+
+    def expm1(x: Array) -> Array:
+        """Dr.Jit has no expm1: a series where exp(x) - 1 would cancel; 3e-16 at the join |x| = 0.01."""
+        series = x * (1 + x * (1 / 2) * (1 + x * (1 / 3) * (1 + x * (1 / 4) * (1 + x * (1 / 5) * (1 + x * (1 / 6))))))
+        return dr.select(dr.abs(x) < 0.01, series, dr.exp(x) - 1)
+
+    return SimpleNamespace(
+        name="drjit",
+        sqrt=dr.sqrt,
+        exp=dr.exp,
+        expm1=expm1,
+        asin=dr.asin,
+        minimum=dr.minimum,
+        maximum=dr.maximum,
+        where=dr.select,
+        sin=dr.sin,
+        cos=dr.cos,
+        log=dr.log,
+    )
+
+
+_FACTORIES = {"torch": _torch, "jax": _jax, "jaxlib": _jax, "drjit": _drjit, "mitsuba": _drjit}
+_made: dict[str, SimpleNamespace] = {}
+
+
+def _library(x: Array) -> str | None:
+    if isinstance(x, (np.ndarray, np.generic, float, int, tuple, list)) or x is None:
+        return None
+    root = type(x).__module__.split(".")[0]
+    return root if root in _FACTORIES else None
+
+
+def namespace(*arrays: Array) -> Any:
+    """The namespace of the first array that is not NumPy's: a tensor's library, a symbol's graph, or NumPy.
+
+    Parameters
+    ----------
+    *arrays
+        Inputs of an evaluation: directions and parameters, of any shapes.
+    """
+    for x in arrays:
+        graph = getattr(x, "graph", None)  # motes.tracing.Symbol
+        if graph is not None and hasattr(graph, "leaf"):
+            return graph
+        library = _library(x)
+        if library is not None:
+            if library not in _made:
+                _made[library] = _FACTORIES[library]()
+            return _made[library]
+    return NUMPY
+
+
+def is_foreign(x: Array) -> bool:
+    """True for tensors, symbols and traced values: what NumPy must not convert, copy or inspect."""
+    return (hasattr(x, "graph") and hasattr(x.graph, "leaf")) or _library(x) is not None

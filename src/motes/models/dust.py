@@ -1,0 +1,126 @@
+r"""Blinn's top-lit dust, equations (12)-(13), and a layer of it over another surface.
+
+.. math::  f = \frac{w \Phi(\gamma, g)}{4 \pi (\cos\theta_i + \cos\theta_r)}
+
+Source: J. F. Blinn, "Light reflection functions for simulation of clouds and dusty surfaces", SIGGRAPH 1982, and appendix C of "Time-Varying BRDFs".
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import final
+
+from motes import equations
+from motes.arrays import Array
+from motes.directions import Geometry
+from motes.errors import ParameterError
+from motes.models.base import BRDF, Component
+from motes.models.lobes import PhaseLobe
+from motes.parameters import parameter
+
+FORMS = ("brdf", "brightness")
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class Dust(BRDF):
+    """An opaque bed of small particles that scatter once.
+
+    Parameters
+    ----------
+    w, g
+        Single-scattering albedo, and mean cosine of the deviation angle.
+    form
+        ``"brdf"``: reciprocal, in 1/sr, what renders.  ``"brightness"``: equation (12) as printed, for comparing with published parameters; it equals the
+        BRDF times 4 pi cos(theta_i) and is not reciprocal.
+
+    Notes
+    -----
+    The deviation angle gamma is 0 when light goes straight on, so cos(gamma) = -(wi . wo), and g > 0 is forward scattering.  Single scattering
+    loses energy: white isotropic dust (w = 1, g = 0) returns (1 - ln 2)/2 = 15 % of light at normal incidence and 2 (1 - ln 2)/3 = 20 % of uniform light.
+    """
+
+    w: Array = parameter(0.6, bounds=(0, float("inf")), typical=(0, 1), symbol="w", doc="single-scattering albedo of the dust", per_channel=True)
+    g: Array = parameter(
+        0.0,
+        bounds=(-1, 1),
+        open=True,
+        fit_bounds=(-0.98, 0.98),
+        typical=(-0.8, 0.8),
+        starts=(-0.5, 0.0, 0.5),
+        symbol="g",
+        doc="mean cosine of the deviation angle",
+        advice="g > 0 scatters forward, g < 0 backward, 0 evenly",
+    )
+    form: str = "brdf"
+
+    def __post_init__(self) -> None:
+        if self.form not in FORMS:
+            raise ParameterError(f"Dust: form = {self.form!r} is not one of {', '.join(FORMS)}")
+        super().__post_init__()
+
+    @property
+    def reciprocal(self) -> bool:  # type: ignore[override]
+        return self.form == "brdf"
+
+    def formula(self, xp: Array, geometry: Geometry) -> Array:
+        Phi = equations.Phi(xp, geometry.sin2_half_gamma, geometry.cos2_half_gamma, self.g)
+        equation = equations.dust_brdf if self.form == "brdf" else equations.rho_dust
+        return equation(xp, Phi, geometry.cos_theta_i, geometry.cos_theta_r, self.w)
+
+    def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
+        scale = 0.15 if self.form == "brdf" else 1.9 * cos_theta_i
+        return [Component(self.formula, PhaseLobe(self.g), self.w * scale)]
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class DustLayer(BRDF):
+    """A layer of dust of optical thickness ``tau`` over a base (Blinn 1982).
+
+    f = T f_base + (1 - T) f_dust with T = exp(-tau (1/cos(theta_i) + 1/cos(theta_r))): at tau = 0 the base, as tau grows the dust.
+    """
+
+    base: BRDF
+    dust: Dust = Dust()  # noqa: RUF009 (an immutable value)
+    tau: Array = parameter(
+        0.2,
+        bounds=(0, float("inf")),
+        fit_bounds=(0, 30),
+        typical=(0, 2),
+        starts=(0.05, 0.3, 1.0),
+        symbol="\\tau",
+        doc="optical thickness of the layer",
+    )
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.base, BRDF) or not isinstance(self.dust, Dust):
+            raise ParameterError(f"DustLayer: base = {self.base!r} and dust = {self.dust!r} must be a BRDF and a Dust")
+        if self.dust.form != "brdf":
+            raise ParameterError(f"DustLayer: dust.form = {self.dust.form!r} is not a BRDF", "Use Dust(form='brdf')")
+        super().__post_init__()
+
+    @property
+    def reciprocal(self) -> bool:  # type: ignore[override]
+        return self.base.reciprocal
+
+    def formula(self, xp: Array, geometry: Geometry) -> Array:
+        depth = equations.slant_depth(xp, geometry.cos_theta_i, geometry.cos_theta_r, self.tau)
+        return equations.dust_layer(xp, self.base.formula(xp, geometry), self.dust.formula(xp, geometry), depth)
+
+    def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
+        # Chances as if light left at 45 degrees.
+        through = xp.exp(-equations.slant_depth(xp, cos_theta_i, 0.7, self.tau))
+        parts = [(part, 0.0, through) for part in self.base.components(xp, cos_theta_i)]
+        parts += [(part, 1.0, 1 - through) for part in self.dust.components(xp, cos_theta_i)]
+        return [Component(self._seen(part, own), part.lobe, part.importance * share) for part, own, share in parts]
+
+    def _seen(self, part: Component, own: float):  # type: ignore[no-untyped-def]
+        """The formula of a part of the base seen through the layer (own = 0), or of the dust in the layer (own = 1)."""
+
+        def formula(xp: Array, geometry: Geometry) -> Array:
+            depth = equations.slant_depth(xp, geometry.cos_theta_i, geometry.cos_theta_r, self.tau)
+            value = part.formula(xp, geometry)
+            return equations.dust_layer(xp, (1 - own) * value, own * value, depth)
+
+        return formula

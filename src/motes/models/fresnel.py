@@ -1,0 +1,70 @@
+"""Fresnel reflection F of equation (9), evaluated at the facet, cos = wi . wh.  The source sets F = 1, and so does the default."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from typing import final
+
+from motes import equations
+from motes.arrays import Array
+from motes.parameters import Parametrised, parameter
+
+
+@dataclass(frozen=True, eq=False)
+class Fresnel(Parametrised, ABC):
+    """The share of light that a smooth facet reflects."""
+
+    @abstractmethod
+    def reflectance(self, xp: Array, cos_theta_d: Array) -> Array:
+        """Unpolarised reflectance in [0, 1] at the angle of incidence on the facet."""
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class Dielectric(Fresnel):
+    """Glass, varnish, plastic, water: a real refractive index; exact."""
+
+    n: Array = parameter(
+        1.5,
+        bounds=(1, 10),
+        fit_bounds=(1.02, 4),
+        starts=(1.2, 1.5, 2.2),
+        symbol="n",
+        doc="refractive index relative to the outside",
+        per_channel=True,
+        shared_in_fit=True,
+        advice="Water 1.33, glass and varnish 1.5, diamond 2.4",
+    )
+
+    def reflectance(self, xp: Array, cos_theta_d: Array) -> Array:
+        return equations.fresnel_dielectric(xp, cos_theta_d, self.n)
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class Conductor(Fresnel):
+    """Metals: a complex refractive index n + ik; exact."""
+
+    n: Array = parameter(
+        1.0, bounds=(0, 20), fit_bounds=(0.05, 10), starts=(0.3, 2.0), symbol="n", doc="real part of the refractive index", per_channel=True, shared_in_fit=True
+    )
+    k: Array = parameter(
+        3.0, bounds=(0, 30), fit_bounds=(0, 15), starts=(1.5, 5.0), symbol="k", doc="extinction coefficient", per_channel=True, shared_in_fit=True
+    )
+
+    def reflectance(self, xp: Array, cos_theta_d: Array) -> Array:
+        return equations.fresnel_conductor(xp, cos_theta_d, self.n, self.k)
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class Schlick(Fresnel):
+    """Schlick's approximation from the reflectance at normal incidence: one parameter, good for a fit."""
+
+    f0: Array = parameter(
+        0.04, bounds=(0, 1), starts=(0.03, 0.3), symbol="f_0", doc="reflectance at normal incidence", per_channel=True, shared_in_fit=True
+    )
+
+    def reflectance(self, xp: Array, cos_theta_d: Array) -> Array:
+        return equations.fresnel_schlick(xp, cos_theta_d, self.f0)

@@ -1,0 +1,108 @@
+"""Warps of the unit square onto the hemisphere, each with its exact density: what the models sample with.
+
+A lobe has ``sample(xp, wi, u)`` and ``pdf(xp, wi, wo)``; ``wi, wo`` are arrays (..., 3), ``u`` is (..., 2) in [0, 1), densities are per solid
+angle [1/sr] with shape (...).  A sample may fall below the horizon (`FacetLobe`): its energy is lost, and the density stays exact above.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+from motes import equations
+from motes.arrays import Array
+from motes.directions import HALF_PI, SMALLEST_COSINE, Geometry, Vector
+
+TWO_PI = 6.283185307179586
+
+
+class Lobe(Protocol):
+    """A way to choose an outgoing direction."""
+
+    def sample(self, xp: Array, wi: Array, u: Array) -> Array: ...
+
+    def pdf(self, xp: Array, wi: Array, wo: Array) -> Array: ...
+
+
+def _components(w: Array) -> Vector:
+    return Vector(w[..., 0], w[..., 1], w[..., 2])
+
+
+@dataclass(frozen=True)
+class CosineLobe:
+    """Proportional to cos(theta_r): for diffuse surfaces."""
+
+    def sample(self, xp: Array, wi: Array, u: Array) -> Array:
+        radius, azimuth = xp.sqrt(u[..., 0]), TWO_PI * u[..., 1]
+        # 1 - u >= 2^-53 for u < 1, so the sample is never below the horizon.
+        return xp.stack([radius * xp.cos(azimuth), radius * xp.sin(azimuth), xp.sqrt(1 - u[..., 0])])
+
+    def pdf(self, xp: Array, wi: Array, wo: Array) -> Array:
+        return equations.INV_PI * xp.maximum(wo[..., 2], 0.0)
+
+
+@dataclass(frozen=True)
+class FacetLobe:
+    """Mirror at a facet whose theta_h has the density proportional to theta_h exp(-(theta_h/sigma_s)^2) on [0, pi/2].
+
+    That is D of equation (10) but for theta_h / (sin(theta_h) cos(theta_h)), and its distribution inverts in closed form.
+    """
+
+    sigma_s: Array
+
+    def _inside(self, xp: Array) -> Array:
+        """The share of the untruncated density on [0, pi/2], 1 - exp(-(pi/2 / sigma_s)^2)."""
+        t = HALF_PI / self.sigma_s
+        return -xp.expm1(-(t * t))
+
+    def sample(self, xp: Array, wi: Array, u: Array) -> Array:
+        theta_h = self.sigma_s * xp.sqrt(-xp.log(1 - u[..., 0] * self._inside(xp)))
+        theta_h, azimuth = xp.minimum(theta_h, HALF_PI), TWO_PI * u[..., 1]
+        sin_theta_h = xp.sin(theta_h)
+        x, y, z = sin_theta_h * xp.cos(azimuth), sin_theta_h * xp.sin(azimuth), xp.cos(theta_h)
+        i = _components(wi)
+        twice = 2 * (i.x * x + i.y * y + i.z * z)
+        return xp.stack([twice * x - i.x, twice * y - i.y, twice * z - i.z])
+
+    def pdf(self, xp: Array, wi: Array, wo: Array) -> Array:
+        # A sample below the horizon, or from behind its facet, has wo.z <= 0 and no density: `BRDF.pdf` masks it.
+        geometry = Geometry(xp, _components(wi), _components(wo))
+        theta_h, sin_theta_h = geometry.theta_h, geometry.sin_theta_h
+        ratio = xp.where(sin_theta_h > 1e-6, theta_h / xp.maximum(sin_theta_h, 1e-6), 1.0)
+        normaliser = 4 * 0.5 * TWO_PI * self.sigma_s * self.sigma_s * self._inside(xp)
+        return ratio * equations.D(xp, theta_h, self.sigma_s) / (normaliser * geometry.cos_theta_d)
+
+
+@dataclass(frozen=True)
+class PhaseLobe:
+    """The Henyey-Greenstein phase function, its lower half folded up onto the hemisphere."""
+
+    g: Array
+
+    def sample(self, xp: Array, wi: Array, u: Array) -> Array:
+        g, s = self.g, 2 * u[..., 0] - 1
+        # The usual inversion, multiplied out so that it holds at g = 0 as well.
+        cos_gamma = (s * (1 + g * g) + 0.5 * g * (s * s * (1 + g * g) + 3 - g * g)) / ((1 + g * s) * (1 + g * s))
+        cos_gamma = xp.maximum(xp.minimum(cos_gamma, 1.0), -1.0)
+        sin_gamma, azimuth = xp.sqrt(1 - cos_gamma * cos_gamma), TWO_PI * u[..., 1]
+        a, b = sin_gamma * xp.cos(azimuth), sin_gamma * xp.sin(azimuth)
+        # A frame about -wi, for light going straight on (Duff et al. 2017, JCGT 6(1)).
+        n = Vector(-wi[..., 0], -wi[..., 1], -wi[..., 2])
+        sign = xp.where(n.z >= 0, 1.0, -1.0)
+        q = -1 / (sign + n.z)
+        r = n.x * n.y * q
+        x = a * (1 + sign * n.x * n.x * q) + b * r + cos_gamma * n.x
+        y = a * sign * r + b * (sign + n.y * n.y * q) + cos_gamma * n.y
+        z = -a * sign * n.x - b * n.y + cos_gamma * n.z
+        return xp.stack([x, y, xp.maximum(xp.maximum(z, -z), SMALLEST_COSINE)])
+
+    def pdf(self, xp: Array, wi: Array, wo: Array) -> Array:
+        i, o = _components(wi), _components(wo)
+
+        def density(z: Array) -> Array:
+            add = Vector(i.x + o.x, i.y + o.y, i.z + z)
+            subtract = Vector(i.x - o.x, i.y - o.y, i.z - z)
+            s2, c2 = (0.25 * (v.x * v.x + v.y * v.y + v.z * v.z) for v in (add, subtract))
+            return 0.25 * equations.INV_PI * equations.Phi(xp, s2, c2, self.g)
+
+        return density(o.z) + density(-o.z)

@@ -1,0 +1,54 @@
+r"""The full Oren-Nayar model of rough diffuse surfaces, equations (1)-(8): direct light and one inter-reflection.
+
+.. math::  f = \max(0, \rho_d^1 + \rho_d^2)
+
+Source: M. Oren, S. K. Nayar, "Generalization of Lambert's reflectance model", SIGGRAPH 1994, as printed in appendix A of "Time-Varying BRDFs".
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import final
+
+from motes import equations
+from motes.arrays import Array
+from motes.directions import HALF_PI, Geometry
+from motes.models.base import BRDF, Component
+from motes.models.lobes import CosineLobe
+from motes.parameters import parameter
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class OrenNayar(BRDF):
+    """V-shaped grooves of Lambertian facets: plaster, clay, cloth, the dry side of paint.
+
+    Notes
+    -----
+    Equation (1) goes negative near grazing forward scatter for sigma_d >= 0.7; this model clamps the sum at 0.  It grows without bound where both
+    directions graze (eval times cos(theta_i) stays finite: fit on that).  It is not linear in K_d, and its albedo is not K_d: the
+    spherical albedo for K_d = 1 is 1.0002 at sigma_d = 0.1 and 0.80 at 1.0, and the directional one reaches 1.05.
+    """
+
+    K_d: Array = parameter(0.5, bounds=(0, float("inf")), typical=(0, 1), symbol="K_d", doc="diffuse reflectance of a facet", per_channel=True)
+    sigma_d: Array = parameter(
+        0.3,
+        bounds=(0, HALF_PI),
+        starts=(0.1, 0.35, 0.9),
+        symbol="\\sigma_d",
+        unit="rad",
+        doc="standard deviation of the facets' slope angle",
+    )
+
+    def formula(self, xp: Array, geometry: Geometry) -> Array:
+        alpha = equations.alpha(xp, geometry.theta_r, geometry.theta_i)
+        beta = equations.beta(xp, geometry.theta_r, geometry.theta_i)
+        C1 = equations.C1(xp, self.sigma_d)
+        C2 = equations.C2(xp, geometry.sin_alpha, beta, geometry.cos_dphi, self.sigma_d)
+        C3 = equations.C3(xp, alpha, beta, self.sigma_d)
+        rho_d1 = equations.rho_d1(xp, C1, C2, C3, geometry.cos_dphi, geometry.tan_beta, geometry.tan_half, self.K_d)
+        rho_d2 = equations.rho_d2(xp, beta, geometry.cos_dphi, self.sigma_d, self.K_d)
+        return xp.maximum(equations.rho_d(xp, rho_d1, rho_d2), 0.0)
+
+    def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
+        return [Component(self.formula, CosineLobe(), self.K_d)]

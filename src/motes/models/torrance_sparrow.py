@@ -1,0 +1,85 @@
+r"""The Torrance-Sparrow specular model, equations (9)-(11).
+
+.. math::  f = K_s \rho_s, \quad \rho_s = \frac{D G F}{4 \cos\theta_i \cos\theta_r}
+
+Source: K. E. Torrance, E. M. Sparrow, "Theory for off-specular reflection from roughened surfaces", JOSA 57(9), 1967, as printed in appendix B of
+"Time-Varying BRDFs".
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import final
+
+from motes import equations
+from motes.arrays import Array
+from motes.directions import HALF_PI, Geometry
+from motes.errors import ParameterError
+from motes.models.base import BRDF, Component
+from motes.models.fresnel import Fresnel
+from motes.models.lobes import FacetLobe
+from motes.parameters import parameter
+
+NORMALIZATIONS = ("printed", "facets")
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class TorranceSparrow(BRDF):
+    """Mirror-like facets whose tilt theta_h is distributed as exp(-(theta_h/sigma_s)^2).
+
+    Parameters
+    ----------
+    K_s, sigma_s
+        Strength, and width [rad], of the highlight.
+    normalization
+        ``"printed"``: D(0) = 1 as in equation (10), so that the energy goes with sigma_s^2 and K_s is the height of the highlight.  ``"facets"``: D is
+        divided by the facets' projected area (exactly, not by pi sigma_s^2), so that K_s is about the energy.
+    fresnel
+        None for F = 1 as in the source, or `Dielectric`, `Conductor`, `Schlick`.
+    """
+
+    K_s: Array = parameter(
+        0.3,
+        bounds=(0, float("inf")),
+        typical=(0, 1),
+        symbol="K_s",
+        doc="strength of the highlight",
+        per_channel=True,
+        shared_in_fit=True,
+    )
+    sigma_s: Array = parameter(
+        0.15,
+        bounds=(0.001, HALF_PI),
+        fit_bounds=(0.005, HALF_PI),
+        typical=(0.02, 0.8),
+        starts=(0.02, 0.04, 0.08, 0.15, 0.25, 0.4, 0.65, 1.0),
+        symbol="\\sigma_s",
+        unit="rad",
+        doc="width of the distribution of facet normals",
+    )
+    normalization: str = "printed"
+    fresnel: Fresnel | None = None
+
+    def __post_init__(self) -> None:
+        if self.normalization not in NORMALIZATIONS:
+            raise ParameterError(f"TorranceSparrow: normalization = {self.normalization!r} is not one of {', '.join(NORMALIZATIONS)}")
+        if not (self.fresnel is None or isinstance(self.fresnel, Fresnel)):
+            raise ParameterError(f"TorranceSparrow: fresnel = {self.fresnel!r} is not a Fresnel term", "Give Dielectric(n), Conductor(n, k), Schlick(f0) or None")
+        super().__post_init__()
+
+    def _distribution(self, xp: Array, theta_h: Array) -> Array:
+        D = equations.D(xp, theta_h, self.sigma_s)
+        return D / equations.facet_area(xp, self.sigma_s) if self.normalization == "facets" else D
+
+    def formula(self, xp: Array, geometry: Geometry) -> Array:
+        cos_i, cos_r, cos_d = geometry.cos_theta_i, geometry.cos_theta_r, geometry.cos_theta_d
+        G = equations.G(xp, cos_i, cos_r, geometry.cos_theta_h, cos_d, cos_d)
+        F = 1.0 if self.fresnel is None else self.fresnel.reflectance(xp, cos_d)
+        return self.K_s * equations.rho_s(xp, self._distribution(xp, geometry.theta_h), G, F, cos_i, cos_r)
+
+    def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
+        # With narrow facets the reflected share is K_s F(theta_i) times their projected area, 1 once normalised.
+        F = 1.0 if self.fresnel is None else self.fresnel.reflectance(xp, cos_theta_i)
+        area = 1.0 if self.normalization == "facets" else xp.minimum(3.14 * self.sigma_s * self.sigma_s, 1.0)
+        return [Component(self.formula, FacetLobe(self.sigma_s), self.K_s * F * area)]
