@@ -38,7 +38,9 @@ _LEAST_ROOT = 1e-18
 
 
 def _binary(op: str) -> tuple[Callable[..., Symbol], Callable[..., Symbol]]:
-    return (lambda self, other: self.graph.apply(op, self, other)), (lambda self, other: self.graph.apply(op, other, self))
+    return (lambda self, other: self.graph.apply(op, self, other)), (
+        lambda self, other: self.graph.apply(op, other, self)
+    )
 
 
 class Symbol:
@@ -131,7 +133,9 @@ class Graph:
         args = tuple(self.lift(x) for x in operands)
         if all(a.op == "constant" for a in args):
             with np.errstate(all="ignore"):
-                result = compute(NUMPY, op, *(np.bool_(a.value) if isinstance(a.value, bool) else np.float64(a.value) for a in args))
+                result = compute(
+                    NUMPY, op, *(np.bool_(a.value) if isinstance(a.value, bool) else np.float64(a.value) for a in args)
+                )
             return self.lift(bool(result) if result.dtype == bool else float(result))
         simpler = self._simplified(op, *args)
         if simpler is not None:

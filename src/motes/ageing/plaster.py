@@ -1,0 +1,41 @@
+"""A plaster that dries while dust settles on it: the time-varying material of the demonstration.
+
+It follows what "Time-Varying BRDFs" (TVCG 2007) reports of drying surfaces and of dust, in the models of its appendices: a wet surface is dark
+and shows a highlight; as it dries the highlight decays exponentially and the diffuse reflectance climbs to its dry value along a
+logistic curve; dust gathers in proportion to time.  The numbers are chosen, not measured.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from motes.models import BRDF, parse
+
+MODEL = "dust_layer(oren_nayar + torrance_sparrow)"
+K_D_WET, K_D_DRY = np.array([0.34, 0.29, 0.23]), np.array([0.74, 0.69, 0.61])
+
+#: Parameter -> its value as a function of the time [h] since the plaster was laid.
+TRENDS: dict[str, Callable[[float], Any]] = {
+    "K_d": lambda hours: K_D_WET + (K_D_DRY - K_D_WET) / (1 + np.exp(-(hours - 2.0) / 0.4)),
+    "sigma_d": lambda hours: 0.35,
+    "K_s": lambda hours: 0.6 * np.exp(-hours / 1.0),
+    "sigma_s": lambda hours: 0.16,
+    "w": lambda hours: np.array([0.85, 0.78, 0.66]),
+    "g": lambda hours: -0.2,
+    "tau": lambda hours: 0.05 + 0.06 * hours,
+}
+
+
+def drying_plaster(hours: float) -> BRDF:
+    """The plaster, three channels (R, G, B), at a time [h] >= 0 after it was laid.
+
+    Examples
+    --------
+    >>> wet, dry = drying_plaster(0.0).parameters, drying_plaster(6.0).parameters
+    >>> round(wet["K_s"], 3), round(dry["K_s"], 3)
+    (0.6, 0.001)
+    """
+    return parse(MODEL).model.with_parameters({name: trend(hours) for name, trend in TRENDS.items()})

@@ -1,0 +1,112 @@
+"""What all targets share: the order of the statements, which subexpressions get a name, and brackets."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from motes.tracing import Symbol
+
+ARITHMETIC = {
+    "neg": "(-{0})",
+    "add": "({0} + {1})",
+    "sub": "({0} - {1})",
+    "mul": "({0} * {1})",
+    "div": "({0} / {1})",
+    "lt": "({0} < {1})",
+    "le": "({0} <= {1})",
+    "gt": "({0} > {1})",
+    "ge": "({0} >= {1})",
+}
+LONGEST_EXPRESSION = 88
+
+
+@dataclass(frozen=True)
+class Target:
+    """How a language writes things.
+
+    Parameters
+    ----------
+    templates
+        By operation, with ``{0} {1} {2}`` for the arguments; what needs brackets brings them.
+    constant
+        Writes a number or a truth value.
+    assignment
+        A statement, with ``{name}`` and ``{value}``.
+    repeats
+        Operations whose template names an argument twice: their arguments are computed beforehand.
+    """
+
+    templates: Mapping[str, str]
+    constant: Callable[[float | bool], str] = repr
+    assignment: str = "{name} = {value}"
+    repeats: frozenset[str] = field(default=frozenset())
+
+
+def statements(
+    target: Target, outputs: Sequence[Symbol], given: Mapping[Symbol, str], prefix: str = "t"
+) -> tuple[list[str], list[str]]:
+    """Straight-line code for `outputs`.
+
+    Parameters
+    ----------
+    outputs
+        What to compute.
+    given
+        The text of the symbols that are there already: leaves, and what was computed elsewhere.
+    prefix
+        Of the names ``t0, t1, ...`` given to subexpressions that are used more than once.
+
+    Returns
+    -------
+    statements, and the text of each output
+    """
+    order = [symbol for symbol in live_until(outputs, given) if symbol not in given]
+    uses = Counter(a for symbol in order for a in symbol.args)
+    uses.update(outputs)
+    named = {a for symbol in order if symbol.op in target.repeats for a in symbol.args}
+    text: dict[Symbol, str] = dict(given)
+    lines: list[str] = []
+    for symbol in order:
+        if symbol.op == "constant":
+            text[symbol] = target.constant(symbol.value)
+            continue
+        if symbol.op == "leaf":
+            raise KeyError(f"the leaf {symbol!r} was not given")
+        template = target.templates[symbol.op]
+        arguments = [text[a] for a in symbol.args]
+        if not template.startswith("("):  # a call, whose arguments need no brackets
+            arguments = [unbracketed(argument) for argument in arguments]
+        expression = template.format(*arguments)
+        if uses[symbol] > 1 or symbol in named or len(expression) > LONGEST_EXPRESSION:
+            text[symbol] = f"{prefix}{len(lines)}"
+            lines.append(target.assignment.format(name=text[symbol], value=unbracketed(expression)))
+        else:
+            text[symbol] = expression
+    return lines, [unbracketed(text[symbol]) for symbol in outputs]
+
+
+def live_until(outputs: Sequence[Symbol], given: Mapping[Symbol, str]) -> list[Symbol]:
+    """The symbols that `outputs` need, without those behind the `given` ones."""
+    seen: set[Symbol] = set()
+    stack = list(outputs)
+    while stack:
+        symbol = stack.pop()
+        if symbol not in seen:
+            seen.add(symbol)
+            if symbol not in given:
+                stack.extend(symbol.args)
+    return sorted(seen, key=lambda symbol: symbol.index)
+
+
+def unbracketed(expression: str) -> str:
+    """Without the brackets around the whole of it, if there are any."""
+    if not expression.startswith("("):
+        return expression
+    depth = 0
+    for k, character in enumerate(expression):
+        depth += (character == "(") - (character == ")")
+        if depth == 0:
+            return expression[1:-1] if k == len(expression) - 1 else expression
+    return expression

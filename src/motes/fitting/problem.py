@@ -1,0 +1,241 @@
+"""A fit as a least-squares problem: many parameter vectors at once in, objectives, gradients and normal matrices out.
+
+Parameters are *shared* (sigma_d) or *per channel* (K_d), so the normal matrix is an arrow: a small block for each channel and a border of
+shared ones.  It is built from one (K, K) product for each channel, with K = per-channel + shared parameters, never from a dense Jacobian.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from motes.codegen.numpy import FitFunction, residual_function
+from motes.fitting.losses import Floats, Loss, Robust
+from motes.models import BRDF
+from motes.parameters import Parameter
+
+# Elements (parameter sets x samples x channels) worked on at a time: the arrays of one pass stay in the second-level cache.
+CHUNK = 1 << 15
+
+
+class Quantity(NamedTuple):
+    """A parameter that is fitted, and where its values stand in a parameter vector."""
+
+    name: str
+    parameter: Parameter
+    per_channel: bool
+    where: slice
+
+
+class Normal(NamedTuple):
+    """Half the (robust) sum of squares (B,), its gradient (B, P), and the Gauss-Newton matrix (B, P, P)."""
+
+    objective: Floats
+    gradient: Floats
+    matrix: Floats
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Data, loss and layout of a fit.
+
+    Parameters
+    ----------
+    model
+        The form of the BRDF.
+    quantities
+        What is fitted, in the order of the parameter vector (P,).
+    fixed
+        Values of the other parameters, to broadcast against (B, N, C).
+    wi, wo
+        Directions (N, 3).
+    values, weights
+        Measured BRDF and weights (N, C); the weight is 0 where masked, and the value is finite everywhere.
+    loss, robust, scale
+        The residuals' transform; the robust function, and the noise in units of which it measures residuals.
+    """
+
+    model: BRDF
+    quantities: tuple[Quantity, ...]
+    fixed: Mapping[str, Floats | float]
+    wi: Floats
+    wo: Floats
+    values: Floats
+    weights: Floats
+    loss: Loss
+    robust: Robust
+    scale: float = 1.0
+    _function: FitFunction = field(init=False)
+    _columns: tuple[Floats, ...] = field(init=False)
+    _cosines: Floats = field(init=False)
+    _targets: Floats = field(init=False)
+    _roots: Floats = field(init=False)
+
+    def __post_init__(self) -> None:
+        function = residual_function(self.model, [q.name for q in self.quantities])
+        cosines = np.ascontiguousarray(self.wi[:, 2:3])
+        for name, value in (
+            ("_function", function),
+            ("_columns", function.geometry(self.wi, self.wo)),
+            ("_cosines", cosines),
+            ("_targets", self.loss.transform(self.values, cosines)),
+            ("_roots", np.sqrt(self.weights)),
+        ):
+            object.__setattr__(self, name, value)
+
+    @property
+    def channels(self) -> int:
+        return self.values.shape[1]
+
+    @property
+    def size(self) -> int:
+        """The number of fitted values, P."""
+        return self.quantities[-1].where.stop if self.quantities else 0
+
+    @property
+    def samples(self) -> int:
+        """The number of samples with a weight."""
+        return int(np.count_nonzero(self.weights))
+
+    @property
+    def bounds(self) -> tuple[Floats, Floats]:
+        """Lower and upper bounds (P,) of a fit."""
+        spans = [(q.parameter.fit_bounds, q.where.stop - q.where.start) for q in self.quantities]
+        low = [b[0] for b, n in spans for _ in range(n)]
+        high = [b[1] for b, n in spans for _ in range(n)]
+        return np.array(low, float), np.array(high, float)
+
+    def labels(self, channels: tuple[str, ...]) -> tuple[str, ...]:
+        """A name for each fitted value: ``K_d[R]``, ``sigma_d``."""
+        return tuple(
+            f"{q.name}[{channel}]" if q.per_channel else q.name
+            for q in self.quantities
+            for channel in (channels if q.per_channel else ("",))
+        )
+
+    def with_scale(self, robust: Robust, scale: float) -> Self:
+        """The same data under a robust function."""
+        return replace(self, robust=robust, scale=scale)
+
+    # ------------------------------------------------------------ evaluation
+
+    def normal(self, x: Floats) -> Normal:
+        """Objectives and normal equations for parameter vectors ``x`` (B, P)."""
+        results = self._mapped(lambda rows: self._normal_part(x, rows), len(x))
+        return Normal(*(np.sum(parts, axis=0) for parts in zip(*results, strict=True)))
+
+    def predicted(self, x: Floats) -> Floats:
+        """The BRDF (N, C) [1/sr] for one parameter vector (P,)."""
+        parts = self._mapped(lambda rows: self._broadcast(self._function.values(self._rows(rows), self._arguments(x[None])), rows)[0], 1)
+        return np.concatenate(list(parts))
+
+    def residuals(self, x: Floats) -> Floats:
+        """Weighted residuals (N, C) for one parameter vector (P,); 0 where masked."""
+        return self._roots * (self.loss.transform(self.predicted(x), self._cosines) - self._targets)
+
+    def spread(self, x: Floats, inverse: Floats) -> Floats:
+        """The middle of the sandwich estimator (P, P): the sum of (psi / (1 - h))^2 J' J for one parameter vector.
+
+        ``inverse`` is the inverse normal matrix, h = J inverse J' the leverage of a sample, psi its (robust) weighted residual: MacKinnon and White's
+        HC3 (1985).  It needs no assumption that the noise is the same everywhere, or goes with the weights.
+        """
+        results = self._mapped(lambda rows: (self._spread_part(x[None], inverse, rows),), 1)
+        return np.sum([part for (part,) in results], axis=0)
+
+    def _normal_part(self, x: Floats, rows: slice) -> tuple[Floats, Floats, Floats]:
+        residual, jacobian = self._linearised(x, rows)
+        z = (residual / self.scale) ** 2
+        objective = 0.5 * self.scale**2 * self.robust.rho(z).sum(axis=(1, 2))
+        if self.robust.name != "none":
+            root = np.sqrt(self.robust.slope(z))
+            residual = residual * root
+            jacobian *= np.moveaxis(root, 2, 1)[..., None]
+        transposed = np.swapaxes(jacobian, 2, 3)  # (B, C, K, n)
+        products = transposed @ jacobian  # (B, C, K, K)
+        slopes = (transposed @ np.moveaxis(residual, 2, 1)[..., None])[..., 0]  # (B, C, K)
+        return objective, self._vector(slopes), self._matrix(products)
+
+    def _spread_part(self, x: Floats, inverse: Floats, rows: slice) -> Floats:
+        residual, jacobian = self._linearised(x, rows)
+        z = (residual / self.scale) ** 2
+        psi = np.moveaxis(residual * self.robust.slope(z), 2, 1)[0]  # (C, n)
+        index = self._index()  # (C, K)
+        blocks = inverse[index[:, :, None], index[:, None, :]]  # (C, K, K)
+        leverage = np.einsum("cnk,ckl,cnl->cn", jacobian[0], blocks, jacobian[0])
+        scaled = jacobian[0] * (psi / np.maximum(1 - leverage, 0.05))[..., None]
+        return self._matrix((np.swapaxes(scaled, 1, 2) @ scaled)[None])[0]
+
+    def _linearised(self, x: Floats, rows: slice) -> tuple[Floats, Floats]:
+        """Weighted residuals (B, n, C) and their derivatives (B, C, n, K): per-channel parameters first, then shared."""
+        f, derivatives = self._function.values_and_jacobian(self._rows(rows), self._arguments(x))
+        f = self._broadcast(f, rows, len(x))
+        roots, cosines = self._roots[rows], self._cosines[rows]
+        residual = roots * (self.loss.transform(f, cosines) - self._targets[rows])
+        slope = roots * self.loss.slope(f, cosines)  # (B, n, C) or (n, C)
+        jacobian = np.empty((*np.moveaxis(residual, 2, 1).shape, len(self.quantities)))
+        for k, name in enumerate(self._order()):
+            np.multiply(np.moveaxis(np.broadcast_to(derivatives[name] * slope, residual.shape), 2, 1), 1.0, out=jacobian[..., k])
+        return residual, jacobian
+
+    def _arguments(self, x: Floats) -> dict[str, Floats | float]:
+        given = {q.name: (x[:, None, q.where] if q.per_channel else x[:, q.where, None]) for q in self.quantities}
+        return given | dict(self.fixed)
+
+    def _rows(self, rows: slice) -> tuple[Floats, ...]:
+        return tuple(column[rows] if len(column) > 1 else column for column in self._columns)
+
+    def _broadcast(self, f: Floats, rows: slice, batch: int = 1) -> Floats:
+        return np.broadcast_to(f, (batch, rows.stop - rows.start, self.channels))
+
+    def _mapped(self, work, batch: int):  # type: ignore[no-untyped-def]
+        """`work` on slices of the directions, in their order, on all processors when there is much to do."""
+        step = max(64, CHUNK // max(1, batch * self.channels))
+        slices = [slice(k, min(k + step, len(self.wi))) for k in range(0, len(self.wi), step)]
+        if len(slices) < 4 or (os.cpu_count() or 1) < 2:
+            return [work(rows) for rows in slices]
+        with ThreadPoolExecutor(os.cpu_count()) as pool:  # NumPy lets go of the interpreter lock
+            return list(pool.map(work, slices))
+
+    # ------------------------------------------------------------ layout
+
+    def _order(self) -> list[str]:
+        return [q.name for q in self.quantities if q.per_channel] + [q.name for q in self.quantities if not q.per_channel]
+
+    def _index(self) -> NDArray[np.intp]:
+        """Positions (C, K) in the parameter vector of what acts on each channel, in the order of `_order`."""
+        own = [np.arange(q.where.start, q.where.stop) for q in self.quantities if q.per_channel]
+        shared = [np.full(self.channels, q.where.start) for q in self.quantities if not q.per_channel]
+        return np.stack(own + shared, axis=1)
+
+    def _vector(self, parts: Floats) -> Floats:
+        """Sum (B, C, K) into (B, P)."""
+        total = np.zeros((len(parts), self.size))
+        for c, index in enumerate(self._index()):
+            total[:, index] += parts[:, c]
+        return total
+
+    def _matrix(self, parts: Floats) -> Floats:
+        """Sum (B, C, K, K) into (B, P, P)."""
+        total = np.zeros((len(parts), self.size, self.size))
+        for c, index in enumerate(self._index()):
+            total[:, index[:, None], index[None, :]] += parts[:, c]
+        return total
+
+
+def layout(model: BRDF, channels: int, fixed: Iterator[str] | frozenset[str], per_channel: frozenset[str]) -> tuple[Quantity, ...]:
+    """What is fitted: every slot but those `fixed`; for each channel where it is declared so or named in `per_channel`."""
+    held, quantities, start = set(fixed), [], 0
+    for slot in model.slots():
+        if slot.name in held:
+            continue
+        own = channels > 1 and slot.parameter.per_channel and (not slot.parameter.shared_in_fit or slot.name in per_channel)
+        stop = start + (channels if own else 1)
+        quantities.append(Quantity(slot.name, slot.parameter, own, slice(start, stop)))
+        start = stop
+    return tuple(quantities)

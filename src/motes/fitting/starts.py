@@ -1,0 +1,116 @@
+"""Where a fit starts: a grid over what has several valleys, thinned on a small grey version of the data.
+
+The objective is nearly quadratic in K_d, K_s and w, and has several valleys along sigma_s, sigma_d, g, tau and the refractive index; each of
+those declares values to start from (`Parameter.starts`).  At every point of their grid the others are fitted to a few hundred grey samples; the best
+points are fitted in full there, and the best distinct ends are where the real fit starts.  Nothing is random from run to run.
+"""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import replace
+
+import numpy as np
+
+from motes.fitting.losses import Floats
+from motes.fitting.problem import Problem, Quantity
+from motes.fitting.solver import minimize
+
+SEARCH_SAMPLES = 600
+SEARCH_LANES = 24
+LARGEST_GRID = 1000
+
+
+def starting_points(problem: Problem, given: Floats | None, most: int) -> Floats:
+    """Up to `most` distinct parameter vectors (B, P), the most promising first.
+
+    Parameters
+    ----------
+    problem
+        The fit.
+    given
+        A vector (P,) of the user's, tried as well.
+    """
+    grey, brightness = _grey(problem)
+    low, high = grey.bounds
+    grid = _grid(grey)
+    gridded = np.array([bool(q.parameter.starts) for q in grey.quantities])
+    coarse = minimize(grey.normal, grid, low, high, held=gridded, max_iterations=6)
+    order = np.argsort(coarse.normal.objective, kind="stable")
+    chosen = coarse.x[_spread_out(coarse.x, order, gridded)]
+    fine = minimize(grey.normal, chosen, low, high, max_iterations=60, reduction=1e-6)
+    ends = fine.x[np.argsort(fine.normal.objective, kind="stable")]
+    distinct = [ends[0]]
+    for end in ends[1:]:
+        if len(distinct) < most and all(np.any(np.abs(end - d) > 0.02 * np.abs(d) + 1e-3) for d in distinct):
+            distinct.append(end)
+    starts = np.stack([_expand(problem, grey, x, brightness) for x in distinct])
+    return starts if given is None else np.concatenate([given[None], starts])
+
+
+def _spread_out(x: Floats, order: np.ndarray, gridded: np.ndarray) -> np.ndarray:
+    """The best lanes, and besides them the best lane for each value of each gridded parameter."""
+    keep = list(order[: SEARCH_LANES // 2])
+    for column in x[:, gridded].T:
+        for value in np.unique(column):
+            lane = order[column[order] == value][0]
+            if lane not in keep:
+                keep.append(lane)
+    return np.array(keep)
+
+
+def _grid(grey: Problem) -> Floats:
+    axes = []
+    for q in grey.quantities:
+        starts = q.parameter.starts
+        axes.append(starts or (_bright_start(grey, q),))
+    # Many Fresnel and dust parameters at once: take every second start of the longest axis until the grid is affordable.
+    while np.prod([len(a) for a in axes]) > LARGEST_GRID:
+        longest = max(range(len(axes)), key=lambda k: len(axes[k]))
+        axes[longest] = axes[longest][::2]
+    return np.array(list(itertools.product(*axes)), float)
+
+
+def _bright_start(grey: Problem, q: Quantity) -> float:
+    """A first value for a parameter that enters almost linearly: about the brightness of the data."""
+    mean = float(np.average(grey.values, weights=grey.weights))
+    low, high = q.parameter.fit_bounds
+    return float(np.clip(np.pi * mean if q.name.startswith("K_d") else q.parameter.default, low, min(high, 1e6)))
+
+
+def _grey(problem: Problem) -> tuple[Problem, Floats]:
+    """The mean over channels at a few hundred directions, half of them even and half where it is bright; and the channels' relative brightness."""
+    weights = problem.weights
+    count = np.maximum((weights > 0).sum(axis=1), 1)
+    values = np.where(weights > 0, problem.values, 0).sum(axis=1) / count
+    mean = np.array([np.average(v, weights=w) if w.any() else 1.0 for v, w in zip(problem.values.T, weights.T, strict=True)])
+    brightness = np.maximum(mean, 1e-12) / max(float(mean.mean()), 1e-12)
+    total = weights.mean(axis=1)
+    usable = np.flatnonzero(total > 0)
+    if len(usable) > SEARCH_SAMPLES:
+        rng = np.random.default_rng(20070101)
+        size = SEARCH_SAMPLES // 2
+        energy = np.abs(values[usable]) * problem.wi[usable, 2] + 1e-12
+        bright = rng.choice(usable, size, replace=False, p=energy / energy.sum())
+        usable = np.union1d(rng.choice(usable, size, replace=False), bright)
+    quantities = tuple(Quantity(q.name, q.parameter, False, slice(k, k + 1)) for k, q in enumerate(problem.quantities))
+    fixed = {name: np.mean(value) if np.ndim(value) else value for name, value in problem.fixed.items()}
+    grey = replace(
+        problem,
+        quantities=quantities,
+        fixed=fixed,
+        wi=problem.wi[usable],
+        wo=problem.wo[usable],
+        values=values[usable, None],
+        weights=total[usable, None],
+    )
+    return grey, brightness
+
+
+def _expand(problem: Problem, grey: Problem, x: Floats, brightness: Floats) -> Floats:
+    """A grey parameter vector for all channels: what is a colour goes with the channels' brightness."""
+    full = np.empty(problem.size)
+    for q, value in zip(problem.quantities, x, strict=True):
+        colour = q.per_channel and not q.parameter.shared_in_fit
+        full[q.where] = value * brightness if colour else value
+    return full

@@ -1,0 +1,118 @@
+"""`Material`: a BRDF with its channels, saved as JSON that says its own conventions."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Self, final
+
+import numpy as np
+
+from motes.errors import FormatError, MotesError
+from motes.files import write_text
+from motes.models import BRDF, describe, parse
+
+VERSION = 1
+LARGEST_FILE = 64 * 2**20
+CONVENTIONS = {
+    "angles": "radians",
+    "brdf": "1/sr, without the cosine; wi to the light, wo to the viewer, local frame, z = normal",
+    "color": "linear",
+}
+
+
+@final
+@dataclass(frozen=True)
+class Material:
+    """A named BRDF.
+
+    Parameters
+    ----------
+    brdf
+        The model with its parameters.
+    name
+        For people.
+    channels
+        Names of the channels, as many as the BRDF has (one name serves a grey BRDF).
+    wavelengths
+        Of the channels [nm]; empty when they are not spectral.
+    about
+        Where it comes from: data, loss, residuals; plain JSON values.
+    """
+
+    brdf: BRDF
+    name: str = "material"
+    channels: tuple[str, ...] = ("grey",)
+    wavelengths: tuple[float, ...] = ()
+    about: Mapping[str, Any] = field(default_factory=dict)
+
+    def at(self, hours: float = 0.0) -> BRDF:
+        """The BRDF at a time; the same at all times for a material whose parameters do not change."""
+        return self.brdf
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain JSON values; see `save`."""
+        parameters = {
+            slot.name: {"value": np.asarray(slot.value).tolist(), "unit": slot.parameter.unit, "meaning": slot.parameter.doc}
+            for slot in self.brdf.slots()
+        }
+        return {
+            "format": "motes material",
+            "version": VERSION,
+            "name": self.name,
+            "model": describe(self.brdf),
+            "parameters": parameters,
+            "channels": list(self.channels),
+            "wavelengths_nm": list(self.wavelengths),
+            "conventions": CONVENTIONS,
+            "about": dict(self.about),
+        }
+
+    @classmethod
+    def from_dict(cls, data: Mapping[str, Any]) -> Self:
+        """Back from `to_dict`; raises `FormatError` when something is missing or out of range."""
+        if not isinstance(data, Mapping) or data.get("format") != "motes material":
+            raise FormatError("this JSON is not a Motes material: its 'format' is not 'motes material'", "motes fit DATA -o OUT writes one")
+        if not isinstance(data.get("version"), int) or data["version"] > VERSION:
+            raise FormatError(f"material version {data.get('version')!r} is newer than {VERSION}, which this Motes reads", "Install a newer Motes")
+        try:
+            values = {str(name): entry["value"] for name, entry in data["parameters"].items()}
+            brdf = parse(str(data["model"])).model.with_parameters(values)
+            return cls(
+                brdf=brdf,
+                name=str(data.get("name", "material")),
+                channels=tuple(str(c) for c in data.get("channels", ("grey",))),
+                wavelengths=tuple(float(w) for w in data.get("wavelengths_nm", ())),
+                about=dict(data.get("about", {})),
+            )
+        except (KeyError, TypeError, AttributeError, ValueError) as error:
+            if isinstance(error, MotesError):
+                raise
+            raise FormatError(f"the material is incomplete or damaged: {error}", "Write it again with motes fit") from error
+
+    def save(self, path: str | os.PathLike[str]) -> Path:
+        """Write the material as JSON, whole or not at all."""
+        return write_text(path, json.dumps(self.to_dict(), indent=1, allow_nan=False) + "\n")
+
+
+def load(path: str | os.PathLike[str]) -> Material:
+    """Read a material that `Material.save` wrote.
+
+    Raises
+    ------
+    FormatError
+        When the file is not there, too large, not JSON, or not a material.
+    """
+    file = Path(path)
+    try:
+        if file.stat().st_size > LARGEST_FILE:
+            raise FormatError(f"{file} has {file.stat().st_size} bytes, more than the {LARGEST_FILE} that a material may have")
+        data = json.loads(file.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise FormatError(f"{file} cannot be read: {error.strerror or error}", "Give the path of a material that motes fit wrote") from error
+    except (ValueError, RecursionError) as error:
+        raise FormatError(f"{file} is not JSON: {error}", "Give the path of a material that motes fit wrote") from error
+    return Material.from_dict(data)

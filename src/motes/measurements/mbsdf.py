@@ -1,0 +1,93 @@
+"""MBSDF (NVIDIA's MDL SDK): isotropic tables of reflection in even bins of theta_i, theta_r and the azimuth between them.
+
+``NVIDIA ARC MBSDF V1``, lines of text, ``MBSDF_DATA_REFLECTION=``; int32 type (0 scalar, 1 RGB), n_theta, n_phi; float32
+[theta_in][theta_out][phi][channel].  theta spans [0, pi/2] and phi [0, pi], whose last bin is the specular side.  Bins are read at their centres.
+The values obey reciprocity as they are (no cosine in them); small negative ones are out of gamut and masked.
+"""
+
+from __future__ import annotations
+
+import struct
+from pathlib import Path
+
+import numpy as np
+
+from motes import directions
+from motes.errors import FormatError
+from motes.measurements import _files
+from motes.measurements._angles import polar_bins
+from motes.measurements.measurement import Measurement
+
+NAME = "mbsdf"
+SOURCE = "NVIDIA Material Definition Language SDK, measured BSDF"
+MAGIC = b"NVIDIA ARC MBSDF"
+REFLECTION, TRANSMISSION = b"MBSDF_DATA_REFLECTION=\n", b"MBSDF_DATA_TRANSMISSION="
+HEADER = 65536  # the text before the table; metadata of a few lines
+
+
+def sniff(path: Path, head: bytes) -> bool:
+    return head.startswith(MAGIC)
+
+
+def read(path: Path) -> Measurement:
+    """The reflection table, one pair of directions a bin, weighted by solid angle."""
+    header = _files.head(path, HEADER)
+    _files.require(
+        header.startswith(MAGIC),
+        f"{path} starts with {header[:16]!r}, not {MAGIC.decode()!r}",
+        "This is not an MBSDF file",
+    )
+    start = header.find(REFLECTION)
+    _files.require(
+        start >= 0,
+        f"{path} has no {REFLECTION.decode().strip()} in its first {HEADER:,} bytes",
+        "Only reflection is read",
+    )
+    start += len(REFLECTION)
+    _files.require(
+        len(header) >= start + 12,
+        f"{path} is truncated at byte {len(header)}, before the sizes of its table",
+        "Fetch it again",
+    )
+    kind, n_theta, n_phi = struct.unpack_from("<3i", header, start)
+    if kind not in (0, 1) or not 0 < n_theta <= 32768 or not 0 < n_phi <= 32768:
+        raise FormatError(
+            f"{path}: type {kind} with {n_theta} x {n_theta} x {n_phi} bins is no MBSDF table",
+            "Types are 0 (scalar) and 1 (RGB)",
+        )
+    n_channels = 3 if kind == 1 else 1
+    shape = (n_theta, n_theta, n_phi, n_channels)
+    table = _files.binary(path, "<f4", _files.product(shape), start + 12, f"the table of {' x '.join(map(str, shape))}")
+    values = table.reshape(shape).astype(np.float64)
+
+    theta, polar = polar_bins(n_theta)
+    phi = (np.arange(n_phi) + 0.5) / n_phi * np.pi
+    theta_i, theta_r, dphi = np.meshgrid(theta, theta, phi, indexing="ij")
+    weights = np.broadcast_to(polar[:, None, None] * polar[:, None] * (np.pi / n_phi), theta_i.shape)
+    values = values.reshape(-1, n_channels)
+    notes = ["f_r in 1/sr, at the centres of the bins, weighted by their solid angles"]
+    copies = _copies(table.reshape(n_theta, -1))
+    if copies:
+        notes.append(
+            f"The last {copies} of {n_theta} angles of incidence repeat the one before them: filled in by the source, not measured"
+        )
+    if TRANSMISSION in header[:start]:
+        notes.append("The file holds a transmission too, which is not read")
+    with np.errstate(invalid="ignore"):
+        negative = (values < 0)[None]
+    return Measurement.from_arrays(
+        directions.from_spherical(theta_i.reshape(-1), 0.0),
+        directions.from_spherical(theta_r.reshape(-1), dphi.reshape(-1)),
+        values,
+        weights=weights.reshape(-1),
+        reasons={"negative (out of gamut)": negative},
+        provenance={"format": NAME, "path": str(path), "name": path.stem, "source": SOURCE, "notes": notes},
+    )
+
+
+def _copies(slabs: np.ndarray) -> int:
+    """How many slabs at the end equal the one before them."""
+    n = 0
+    while n < len(slabs) - 1 and np.array_equal(slabs[-1 - n], slabs[-2 - n]):
+        n += 1
+    return n

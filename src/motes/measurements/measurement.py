@@ -1,0 +1,401 @@
+"""`Measurement`: reflectance measured at pairs of directions, at one time or many, with what is known about it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, Self, final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from motes import directions
+from motes.errors import DataError, MissingExtraError
+from motes.measurements import policy
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class Measurement:
+    """Measured reflectance: T times, N pairs of directions, C channels.  Immutable; its arrays are read-only.
+
+    Make one with `motes.read` or `Measurement.from_arrays`, which apply the policy for invalid data of `motes.measurements.policy`.
+
+    Parameters
+    ----------
+    wi, wo
+        Unit vectors (N, 3) to the light and to the viewer, away from the surface, z = normal.
+    values
+        BRDF f_r [1/sr] without the cosine, (T, N, C), as read: also where it is masked.  NaN where there is no value.
+    times
+        (T,), strictly increasing, in `time_unit`; ``(0.,)`` for a measurement of one time.
+    channels
+        Names: ``"grey"``; ``"R", "G", "B"``; ``"400 nm"``, ...
+    mask
+        (T, N, C), True where the sample is usable.
+    weights
+        (N,), proportional to the solid angles d omega_i d omega_o that a sample stands for; ones where the format has none.  Only their ratios
+        mean anything.
+    masked
+        Reason -> number of samples masked for it; the counts add up to the masked samples.
+    provenance
+        ``format, path, sample, name, source, notes``: where the numbers come from, what is known of their scale, what the reader did.
+    time_unit
+        ``"h"``, or ``"scan"`` where only the order is known.
+    wavelengths
+        (C,) [nm], or None.
+    """
+
+    wi: NDArray[np.float64]
+    wo: NDArray[np.float64]
+    values: NDArray[np.float64]
+    times: NDArray[np.float64]
+    channels: tuple[str, ...]
+    mask: NDArray[np.bool_]
+    weights: NDArray[np.float64]
+    masked: Mapping[str, int]
+    provenance: Mapping[str, Any]
+    time_unit: str = "h"
+    wavelengths: NDArray[np.float64] | None = None
+    # Why each sample is masked (see `policy.judge`): what lets a selection count its own masked samples.
+    _codes: NDArray[np.uint8] | None = field(default=None, repr=False)
+    _reasons: tuple[str, ...] = field(default=(), repr=False)
+
+    def __post_init__(self) -> None:
+        for name in ("wi", "wo", "values", "times", "mask", "weights", "wavelengths", "_codes"):
+            array = getattr(self, name)
+            if array is not None:
+                array = np.asarray(array).view()
+                array.setflags(write=False)
+                object.__setattr__(self, name, array)
+
+    @classmethod
+    def from_arrays(
+        cls,
+        wi: ArrayLike,
+        wo: ArrayLike,
+        values: ArrayLike,
+        *,
+        times: ArrayLike | None = None,
+        channels: Sequence[str] | None = None,
+        wavelengths: ArrayLike | None = None,
+        weights: ArrayLike | None = None,
+        mask: ArrayLike | None = None,
+        provenance: Mapping[str, Any] | None = None,
+        time_unit: str = "h",
+        reasons: Mapping[str, ArrayLike] | None = None,
+    ) -> Measurement:
+        """A measurement from arrays, checked, with invalid samples masked and counted.
+
+        Parameters
+        ----------
+        wi, wo
+            (N, 3); lengths within 0.001 of 1 are normalised, others are an error.
+        values
+            f_r [1/sr]: (N,), (N, C) or (T, N, C).
+        times
+            (T,), strictly increasing; the default is 0 for one time and 0, 1, 2, ... with the unit ``"scan"`` for several.
+        channels
+            C names; the default is the wavelengths, ``grey`` for one channel, ``R, G, B`` for three.
+        wavelengths, weights
+            (C,) [nm] and (N,).
+        mask
+            Broadcastable to (T, N, C), True where the sample is usable; the others count as "excluded by the caller".
+        provenance
+            See the class.
+        reasons
+            Reason -> boolean array broadcastable to (T, N, C), True where a sample is to be masked for this reason; these come before
+            the general rules.
+
+        Raises
+        ------
+        DataError
+            For shapes that do not fit, directions that are not unit vectors, times that do not increase.
+
+        Examples
+        --------
+        >>> from motes.directions import from_spherical
+        >>> m = Measurement.from_arrays(from_spherical([0.1, 0.2], 0), from_spherical([0.3, 0.4], 1), [0.25, -0.01])
+        >>> m.mask.ravel().tolist(), dict(m.masked)
+        ([True, False], {'negative': 1})
+        """
+        wi, wo = policy.unit_directions(wi, "wi"), policy.unit_directions(wo, "wo")
+        if len(wi) != len(wo):
+            raise DataError(f"wi has {len(wi)} rows and wo {len(wo)}", "Give one pair of directions a sample")
+        values = _numbers(values, "values")
+        if values.ndim == 1:
+            values = values[:, None]
+        if values.ndim == 2:
+            values = values[None]
+        if values.ndim != 3 or values.shape[1] != len(wi) or 0 in values.shape:
+            raise DataError(
+                f"values has shape {values.shape}, which is not (T, N, C) for N = {len(wi)} directions",
+                "Give (N,), (N, C) or (T, N, C)",
+            )
+        n_times, n_directions, n_channels = values.shape
+        if times is None:
+            times, time_unit = np.arange(float(n_times)), time_unit if n_times == 1 else "scan"
+        times = _numbers(times, "times").reshape(-1)
+        if len(times) != n_times or not np.all(np.isfinite(times)) or np.any(np.diff(times) <= 0):
+            raise DataError(
+                f"times has {len(times)} entries for {n_times} scans, or does not increase: {_some(times)}",
+                "Give one time a scan, in order",
+            )
+        if wavelengths is not None:
+            wavelengths = _numbers(wavelengths, "wavelengths").reshape(-1)
+            if len(wavelengths) != n_channels or not np.all(np.isfinite(wavelengths) & (wavelengths > 0)):
+                raise DataError(
+                    f"wavelengths are {_some(wavelengths)} for {n_channels} channels",
+                    "Give one positive number [nm] a channel",
+                )
+        if weights is None:
+            weights = np.ones(n_directions)
+        weights = _numbers(weights, "weights").reshape(-1)
+        if len(weights) != n_directions or not np.all(np.isfinite(weights) & (weights >= 0)) or not np.any(weights > 0):
+            raise DataError(
+                f"weights are {_some(weights)} for {n_directions} directions",
+                "Give one number >= 0 a direction, at least one positive",
+            )
+        codes, names = policy.judge(wi, wo, values, _broadcast(mask, values.shape), reasons)
+        return cls(
+            wi=wi,
+            wo=wo,
+            values=values,
+            times=times,
+            channels=_channels(channels, wavelengths, n_channels),
+            mask=codes == 0,
+            weights=weights,
+            masked=_count(codes, names),
+            provenance=dict(provenance or {}),
+            time_unit=time_unit,
+            wavelengths=wavelengths,
+            _codes=codes,
+            _reasons=names,
+        )
+
+    @property
+    def n_times(self) -> int:
+        return self.values.shape[0]
+
+    @property
+    def n_directions(self) -> int:
+        return self.values.shape[1]
+
+    @property
+    def n_channels(self) -> int:
+        return self.values.shape[2]
+
+    @property
+    def name(self) -> str:
+        """The material's name, for people."""
+        return str(self.provenance.get("name") or "measurement")
+
+    @property
+    def theta_i(self) -> NDArray[np.float64]:
+        """Polar angles (N,) of ``wi`` [rad]."""
+        return directions.theta(self.wi)
+
+    @property
+    def theta_r(self) -> NDArray[np.float64]:
+        """Polar angles (N,) of ``wo`` [rad]."""
+        return directions.theta(self.wo)
+
+    @property
+    def dphi(self) -> NDArray[np.float64]:
+        """phi_r - phi_i (N,) [rad] in (-pi, pi]: 0 is backscatter, pi the specular side; 0 where either direction is the normal."""
+        (xi, yi), (xo, yo) = self.wi.T[:2], self.wo.T[:2]
+        return np.arctan2(xi * yo - yi * xo, xi * xo + yi * yo)
+
+    def at(self, index: int) -> Self:
+        """The measurement of one time, by its index; negative ones count from the end."""
+        if not -self.n_times <= index < self.n_times:
+            raise DataError(
+                f"There is no time {index} among {self.n_times}", f"Give an index from 0 to {self.n_times - 1}"
+            )
+        one = slice(index % self.n_times, index % self.n_times + 1)
+        return self._part(
+            values=self.values[one],
+            mask=self.mask[one],
+            times=self.times[one],
+            _codes=None if self._codes is None else self._codes[one],
+        )
+
+    def select(self, which: ArrayLike) -> Self:
+        """The measurement at some of the directions.
+
+        Parameters
+        ----------
+        which
+            A boolean array (N,), or indices, in the order wanted.
+        """
+        which = np.asarray(which)
+        if which.dtype == bool and which.shape != (self.n_directions,):
+            raise DataError(
+                f"The selection has shape {which.shape}",
+                f"Give a boolean for each of the {self.n_directions} directions",
+            )
+        indices = np.flatnonzero(which) if which.dtype == bool else which.reshape(-1)
+        if len(indices) == 0:
+            raise DataError("The selection holds no direction", "Select at least one")
+        if indices.dtype.kind not in "iu" or indices.min() < -self.n_directions or indices.max() >= self.n_directions:
+            raise DataError(
+                f"The selection {_some(indices)} is not among the directions",
+                f"Give integers from 0 to {self.n_directions - 1}",
+            )
+        return self._part(
+            wi=self.wi[indices],
+            wo=self.wo[indices],
+            weights=self.weights[indices],
+            values=self.values[:, indices],
+            mask=self.mask[:, indices],
+            _codes=None if self._codes is None else self._codes[:, indices],
+        )
+
+    def with_mask(self, extra_mask: ArrayLike, reason: str) -> Self:
+        """The same measurement with more samples masked.
+
+        Parameters
+        ----------
+        extra_mask
+            Broadcastable to (T, N, C); as in `mask`, True where a sample stays usable.
+        reason
+            What `masked` shall say of those that it takes out.
+        """
+        extra = _broadcast(extra_mask, self.values.shape)
+        assert extra is not None
+        codes, names = self._known_codes()
+        names = names if reason in names else (*names, reason)
+        codes = np.where(self.mask & ~extra, np.uint8(names.index(reason) + 1), codes)
+        return replace(self, mask=self.mask & extra, masked=_count(codes, names), _codes=codes, _reasons=names)
+
+    def to_xarray(self) -> Any:
+        """An `xarray.Dataset` with the dimensions time, direction, channel (and xyz for the vectors)."""
+        try:
+            import xarray
+        except ImportError:
+            raise MissingExtraError("xarray", "xarray", "Measurement.to_xarray") from None
+        dataset = xarray.Dataset(
+            {
+                "f_r": (
+                    ("time", "direction", "channel"),
+                    self.values,
+                    {"units": "1/sr", "long_name": "BRDF without the cosine"},
+                ),
+                "mask": (("time", "direction", "channel"), self.mask, {"long_name": "usable"}),
+                "weight": (("direction",), self.weights, {"long_name": "relative solid angle"}),
+                "wi": (("direction", "xyz"), self.wi, {"long_name": "to the light"}),
+                "wo": (("direction", "xyz"), self.wo, {"long_name": "to the viewer"}),
+            },
+            coords={
+                "time": ("time", self.times, {"units": self.time_unit}),
+                "channel": list(self.channels),
+                "xyz": ["x", "y", "z"],
+            },
+            attrs={
+                "name": self.name,
+                "format": str(self.provenance.get("format", "")),
+                "notes": "; ".join(self.provenance.get("notes", ())),
+            },
+        )
+        if self.wavelengths is not None:
+            dataset = dataset.assign_coords(wavelength=("channel", self.wavelengths, {"units": "nm"}))
+        return dataset
+
+    def summary(self) -> dict[str, Any]:
+        """What ``motes info`` prints: sizes, ranges, what was masked and why, provenance.  Plain JSON types."""
+        usable = self.values[self.mask]
+        return {
+            "kind": "measurement",
+            "name": self.name,
+            "n_times": self.n_times,
+            "n_directions": self.n_directions,
+            "n_channels": self.n_channels,
+            "channels": list(self.channels),
+            "wavelengths_nm": None if self.wavelengths is None else self.wavelengths.tolist(),
+            "times": self.times.tolist(),
+            "time_unit": self.time_unit,
+            "theta_i_deg": _range(np.degrees(self.theta_i)),
+            "theta_r_deg": _range(np.degrees(self.theta_r)),
+            "f_r": _range(usable),
+            "f_r_median": float(np.median(usable)) if usable.size else None,
+            "n_samples": int(self.mask.size),
+            "n_usable": int(usable.size),
+            "masked": {reason: int(n) for reason, n in self.masked.items()},
+            "weighted": bool(np.ptp(self.weights) > 0),
+            **_plain(dict(self.provenance)),
+        }
+
+    def _known_codes(self) -> tuple[NDArray[np.uint8], tuple[str, ...]]:
+        if self._codes is not None:
+            return self._codes, self._reasons
+        return np.where(self.mask, 0, 1).astype(np.uint8), (policy.EXCLUDED,)
+
+    def _part(self, **changes: Any) -> Self:
+        part = replace(self, **changes)
+        codes, names = part._known_codes()
+        return replace(part, masked=_count(codes, names))
+
+
+def _numbers(array: ArrayLike, label: str) -> NDArray[np.float64]:
+    try:
+        return np.array(array, np.float64)
+    except (TypeError, ValueError) as error:
+        raise DataError(f"{label} are not numbers: {error}", "Give an array of real numbers") from None
+
+
+def _broadcast(mask: ArrayLike | None, shape: tuple[int, ...]) -> NDArray[np.bool_] | None:
+    if mask is None:
+        return None
+    mask = np.asarray(mask, bool)
+    try:
+        return np.broadcast_to(mask, shape)
+    except ValueError:
+        raise DataError(
+            f"The mask has shape {mask.shape}, which does not broadcast to {shape}", "Give (T, N, C)"
+        ) from None
+
+
+def _channels(
+    channels: Sequence[str] | None, wavelengths: NDArray[np.float64] | None, n_channels: int
+) -> tuple[str, ...]:
+    if channels is None:
+        if wavelengths is not None:
+            return tuple(f"{w:g} nm" for w in wavelengths)
+        return {1: ("grey",), 3: ("R", "G", "B")}.get(n_channels) or tuple(
+            f"channel {i + 1}" for i in range(n_channels)
+        )
+    names = (channels,) if isinstance(channels, str) else tuple(str(c) for c in channels)
+    if len(names) != n_channels or len(set(names)) != n_channels:
+        raise DataError(
+            f"The channels are named {list(names)[:8]} for {n_channels} channels",
+            "Give as many different names as channels",
+        )
+    return names
+
+
+def _count(codes: NDArray[np.uint8], names: tuple[str, ...]) -> dict[str, int]:
+    counts = np.bincount(codes.reshape(-1), minlength=len(names) + 1)
+    return {name: int(n) for name, n in zip(names, counts[1:], strict=False) if n}
+
+
+def _some(array: NDArray[Any]) -> str:
+    array = array.reshape(-1)
+    shown = ", ".join(f"{x:g}" for x in array[:5])
+    return f"({shown}{', ...' if len(array) > 5 else ''})"
+
+
+def _range(values: NDArray[np.float64]) -> list[float] | None:
+    return [float(values.min()), float(values.max())] if values.size else None
+
+
+def _plain(value: Any) -> Any:
+    """The value in types that JSON has."""
+    if isinstance(value, Mapping):
+        return {str(k): _plain(v) for k, v in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(v) for v in value]
+    if isinstance(value, np.ndarray):
+        return _plain(value.tolist())
+    if isinstance(value, np.generic):
+        return value.item()
+    return value if isinstance(value, (str, int, float, bool)) or value is None else str(value)
