@@ -6,6 +6,8 @@ Each is the polynomial P of a given degree with the smallest largest |weight(x) 
 
 - exp(r) = 1 + r + r^2 P(r) on |r| <= ln(2)/2, the weight that of a relative error of exp(r) - 1, so that expm1 can share it;
 - asin(x) = x + x^3 P(x^2) on 0 <= x <= 0.7072, a relative error of asin(x).
+
+ln(2) is split in two numbers, the first short enough that its product with any exponent is exact.
 """
 
 from __future__ import annotations
@@ -25,7 +27,6 @@ def remez(F: Function, weight: Function, a: float, b: float, degree: int) -> tup
     grid = [mp.mpf(a) + (mp.mpf(b) - a) * (1 - mp.cos(mp.pi * k / 4000)) / 2 for k in range(4001)]
     grid = [x for x in grid if abs(x) > 1e-6]  # weights vanish at 0
     values, weights = [F(x) for x in grid], [weight(x) for x in grid]
-    points = [round(k * (len(grid) - 1) / (degree + 1)) for k in range(degree + 2)]
     middle = [(1 - np.cos(np.pi * k / (degree + 1))) / 2 for k in range(degree + 2)]
     points = [min(range(len(grid)), key=lambda j, t=t: abs(grid[j] - (a + (b - a) * t))) for t in middle]
     for _ in range(60):
@@ -77,6 +78,9 @@ def main() -> None:
             print(f"# {name}, {scalar.__name__}: degree {degree}, error 2^{float(bits):.1f}")
             for c in coefficients:
                 print(f"    {scalar(mp.nstr(c, 25))!r},")
+    for scalar, places in ((np.float32, 14), (np.float64, 32)):
+        high = mp.floor(mp.log(2) * 2**places) / 2**places
+        print(f"# ln(2), {scalar.__name__}:\n    {scalar(float(high))!r}, {scalar(mp.nstr(mp.log(2) - high, 25))!r}")
 
 
 if __name__ == "__main__":

@@ -17,18 +17,29 @@ import numpy as np
 # Any of: float, numpy.ndarray, torch.Tensor, jax.Array, a Dr.Jit array, motes.tracing.Symbol.
 Array = Any
 
+
+def _weak(function: Any) -> Any:
+    """The NumPy function, but Python numbers in give a Python number out: NumPy's own float64 scalar would make float32 arrays float64."""
+
+    def weak(*args: Array) -> Array:
+        result = function(*args)
+        return result if any(type(x) not in (float, int, bool) for x in args) else float(result)
+
+    return weak
+
+
 NUMPY = SimpleNamespace(
     name="numpy",
-    sqrt=np.sqrt,
-    exp=np.exp,
-    expm1=np.expm1,
-    asin=np.arcsin,
-    minimum=np.minimum,
-    maximum=np.maximum,
-    where=np.where,
-    sin=np.sin,
-    cos=np.cos,
-    log=np.log,
+    sqrt=_weak(np.sqrt),
+    exp=_weak(np.exp),
+    expm1=_weak(np.expm1),
+    asin=_weak(np.arcsin),
+    minimum=_weak(np.minimum),
+    maximum=_weak(np.maximum),
+    where=_weak(np.where),
+    sin=_weak(np.sin),
+    cos=_weak(np.cos),
+    log=_weak(np.log),
     stack=lambda parts: np.stack(np.broadcast_arrays(*parts), axis=-1),
 )
 

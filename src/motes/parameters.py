@@ -75,24 +75,29 @@ class Parameter:
         if is_foreign(value):
             return value
         try:
-            array = np.asarray(value, dtype=None if isinstance(value, np.ndarray) and value.dtype.kind == "f" else np.float64)
-        except (TypeError, ValueError):
-            raise ParameterError(f"{owner}: {self.name} = {value!r} is not a number or an array of numbers", self.hint()) from None
+            array = np.asarray(value)
+        except (TypeError, ValueError):  # ragged lists
+            array = np.asarray(None)
+        if array.dtype.kind not in "fiu" or not array.size:
+            raise ParameterError(f"{owner}: {self.name} = {_shown(value)} is not a number or an array of numbers", self.hint())
+        if not (isinstance(value, np.ndarray) and array.dtype.kind == "f"):
+            array = array.astype(np.float64)
         low, high = self.bounds
         inside = (array > low) & (array < high) if self.open else (array >= low) & (array <= high)
+        inside &= np.isfinite(array)
         if not inside.all():
             worst = float(array[~inside].flat[0]) if array.ndim else float(array)
             raise ParameterError(f"{owner}: {self.name} = {worst:.6g} is outside {self.range()} ({self.doc})", self.hint(worst))
         if array.ndim == 0:
             return float(array)
-        if array.flags.writeable:
+        if array.flags.writeable or not array.flags.owndata:  # what others hold, they can change
             array = array.copy()
             array.setflags(write=False)
         return array
 
     def range(self) -> str:
         """The accepted range as text: ``[0, 1.571] rad``."""
-        left, right = "()" if self.open else "[]"
+        left, right = "(" if self.open else "[", ")" if self.open or np.isinf(self.bounds[1]) else "]"
         return f"{left}{self.bounds[0]:.4g}, {self.bounds[1]:.4g}{right}" + (f" {self.unit}" if self.unit else "")
 
     def hint(self, value: float | None = None) -> str:
@@ -100,6 +105,27 @@ class Parameter:
         if self.unit == "rad" and value is not None and abs(value) > self.bounds[1]:
             return f"Angles are in radians: {value:.4g} degrees is {np.deg2rad(value):.3f}"
         return self.advice or f"Choose a value in {self.range()}"
+
+
+def _shown(value: object) -> str:
+    """`value` as text of bounded length."""
+    try:
+        text = repr(value)
+    except ValueError:  # Python declines to print integers of thousands of digits
+        text = f"{type(value).__name__} too long to print"
+    return text if len(text) <= 80 else f"{text[:77]}..."
+
+
+def _same(a: Array, b: Array) -> bool:
+    return a is b if is_foreign(a) or is_foreign(b) else np.array_equal(a, b)
+
+
+def _hashable(value: Array) -> tuple[object, ...]:
+    """Equal for values that are `_same`: float32 or float64, 0.0 or -0.0; a tensor is equal to itself only."""
+    if is_foreign(value):
+        return (id(value),)
+    array = np.asarray(value, np.float64) + 0.0
+    return (array.shape, array.tobytes())
 
 
 def parameter(
@@ -216,10 +242,10 @@ class Parametrised:
             return NotImplemented
         return (
             self.options() == other.options()
-            and all(np.array_equal(getattr(self, p.name), getattr(other, p.name)) for p in self.declared())
+            and all(_same(getattr(self, p.name), getattr(other, p.name)) for p in self.declared())
             and self.children() == other.children()
         )
 
     def __hash__(self) -> int:
-        values = (np.asarray(getattr(self, p.name)) for p in self.declared())
-        return hash((type(self).__name__, *self.options().items(), *((v.shape, v.tobytes()) for v in values), *self.children().items()))
+        values = (_hashable(getattr(self, p.name)) for p in self.declared())
+        return hash((type(self).__name__, *self.options().items(), *values, *self.children().items()))

@@ -263,7 +263,10 @@ def forward(outputs: Sequence[Symbol], leaves: Sequence[Symbol]) -> list[dict[Sy
 
 
 def adjoint(seeds: Mapping[Symbol, Symbol], leaves: Sequence[Symbol]) -> dict[Symbol, Symbol]:
-    """The derivative of sum(output * seed) by every leaf, carried back from the outputs; what is 0 by structure is absent."""
+    """The derivative of sum(output * seed) by every leaf, carried back from the outputs; what is 0 by structure is absent.
+
+    Any symbols may be named as `leaves`: the derivative by one of them holds the others fixed.
+    """
     order = live(seeds)
     wanted = set(leaves)
     for symbol in order:
@@ -272,7 +275,7 @@ def adjoint(seeds: Mapping[Symbol, Symbol], leaves: Sequence[Symbol]) -> dict[Sy
     adjoints = dict(seeds)
     for symbol in reversed(order):
         t = adjoints.get(symbol)
-        if t is None or symbol not in wanted:
+        if t is None or symbol not in wanted or symbol in leaves:
             continue
         for k, argument in enumerate(symbol.args):
             step = _through(symbol, k, t) if argument in wanted else None
@@ -358,7 +361,7 @@ def key(model: Parametrised, channels: int) -> tuple[Any, ...]:
     return (structure(model), channels, split_slots(model, channels))
 
 
-def trace(model: Parametrised, channels: int = 1) -> Trace:
+def trace(model: Parametrised, channels: int = 1, *, horizon: bool = True) -> Trace:
     """Record ``model.value`` for a number of channels.
 
     Parameters
@@ -368,6 +371,8 @@ def trace(model: Parametrised, channels: int = 1) -> Trace:
         per-channel parameter has `channels` entries on its last axis, one for all channels otherwise.
     channels
         Number of channels, at least 1.
+    horizon
+        False to record ``model.formula``, which holds above the horizon only: for data that has nothing below.
     """
     graph = Graph()
     directions = tuple(graph.leaf(f"{w}.{axis}") for w in ("wi", "wo") for axis in "xyz")
@@ -382,5 +387,7 @@ def trace(model: Parametrised, channels: int = 1) -> Trace:
     outputs = []
     for c in range(channels):
         symbols = {p.slot: p.symbol for p in parameters if p.channel in (None, c)}
-        outputs.append(graph.lift(model.with_parameters(symbols).value(graph, geometry)))  # type: ignore[attr-defined]
+        channel = model.with_parameters(symbols)
+        recorded = channel.value if horizon else channel.formula  # type: ignore[attr-defined]
+        outputs.append(graph.lift(recorded(graph, geometry)))
     return Trace(graph, directions, tuple(parameters), tuple(outputs))

@@ -154,7 +154,7 @@ def simulate(
     MotesError
         For numbers out of range, a surface with other than one or three channels, or a folder that cannot be written.
     """
-    from motes.measurements import write_tvbrdf
+    from motes.measurements.tvbrdf import write_tvbrdf
 
     rig = rig or Rig()
     if scans < 1:

@@ -105,7 +105,7 @@ class FitFunction:
 _functions: dict[tuple[Any, ...], FitFunction] = {}
 
 
-def residual_function(model: Parametrised, fitted: Sequence[str]) -> FitFunction:
+def residual_function(model: Parametrised, fitted: Sequence[str], *, horizon: bool = True) -> FitFunction:
     """Values and derivatives of `model` as functions of its parameters; made once for each kind of model and set of names.
 
     Parameters
@@ -114,10 +114,12 @@ def residual_function(model: Parametrised, fitted: Sequence[str]) -> FitFunction
         A BRDF; the values of its parameters do not matter.
     fitted
         The slots to differentiate by.
+    horizon
+        False when no direction is at or below the horizon: the function then does not look.
     """
-    key = (tracing.structure(model), tuple(fitted))
+    key = (tracing.structure(model), tuple(fitted), horizon)
     if key not in _functions:
-        _functions[key] = _generate(tracing.trace(model, 1), tuple(fitted))
+        _functions[key] = _generate(tracing.trace(model, 1, horizon=horizon), tuple(fitted))
     return _functions[key]
 
 

@@ -20,8 +20,9 @@ from motes.fitting.losses import Floats, Loss, Robust
 from motes.models import BRDF
 from motes.parameters import Parameter
 
-# Elements (parameter sets x samples x channels) worked on at a time: the arrays of one pass stay in the second-level cache.
-CHUNK = 1 << 15
+# Elements (parameter sets x samples x channels) worked on at a time: few enough that the arrays of a pass stay in cache, enough that
+# NumPy's overhead of a call does not show.
+CHUNK = 1 << 17
 
 
 class Quantity(NamedTuple):
@@ -54,7 +55,7 @@ class Problem:
     fixed
         Values of the other parameters, to broadcast against (B, N, C).
     wi, wo
-        Directions (N, 3).
+        Directions (N, 3), all above the horizon.
     values, weights
         Measured BRDF and weights (N, C); the weight is 0 where masked, and the value is finite everywhere.
     loss, robust, scale
@@ -78,7 +79,7 @@ class Problem:
     _roots: Floats = field(init=False)
 
     def __post_init__(self) -> None:
-        function = residual_function(self.model, [q.name for q in self.quantities])
+        function = residual_function(self.model, [q.name for q in self.quantities], horizon=False)
         cosines = np.ascontiguousarray(self.wi[:, 2:3])
         for name, value in (
             ("_function", function),
@@ -178,9 +179,10 @@ class Problem:
         roots, cosines = self._roots[rows], self._cosines[rows]
         residual = roots * (self.loss.transform(f, cosines) - self._targets[rows])
         slope = roots * self.loss.slope(f, cosines)  # (B, n, C) or (n, C)
-        jacobian = np.empty((*np.moveaxis(residual, 2, 1).shape, len(self.quantities)))
+        batch, n, channels = residual.shape
+        jacobian = np.empty((batch, channels, n, len(self.quantities)))
         for k, name in enumerate(self._order()):
-            np.multiply(np.moveaxis(np.broadcast_to(derivatives[name] * slope, residual.shape), 2, 1), 1.0, out=jacobian[..., k])
+            np.multiply(derivatives[name], slope, out=np.moveaxis(jacobian[..., k], 1, 2))
         return residual, jacobian
 
     def _arguments(self, x: Floats) -> dict[str, Floats | float]:

@@ -79,7 +79,10 @@ class FittedParameter:
 @final
 @dataclass(frozen=True)
 class Trial:
-    """A model that was tried, as ``model="auto"`` compares them; the smallest ``bic`` is chosen."""
+    """A model that was tried, as ``model="auto"`` compares them; the smallest ``bic`` is chosen.
+
+    ``n_samples`` is smaller than the data's where large data were compared on an even part of them.
+    """
 
     model: str
     n_parameters: int
@@ -88,6 +91,7 @@ class Trial:
     objective: float
     status: Status
     chosen: bool
+    n_samples: int
 
 
 @final

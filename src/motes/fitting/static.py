@@ -5,11 +5,14 @@ from __future__ import annotations
 import math
 import time as clock
 from collections.abc import Callable, Collection, Mapping
+from dataclasses import replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
+from motes.directions import HALF_PI
 from motes.errors import DataError, MotesError
 from motes.fitting.losses import LOSSES, ROBUST, Floats, loss_named, robust_named
 from motes.fitting.problem import Problem, layout
@@ -28,6 +31,8 @@ CANDIDATES = (
     "oren_nayar + torrance_sparrow",
     "dust_layer(oren_nayar + torrance_sparrow)",
 )
+#: With more than three times as many samples, candidates are compared on this many.
+COMPARED_SAMPLES = 200_000
 Progress = Callable[[int, int, str], None]
 
 
@@ -40,6 +45,7 @@ def fit(
     weights: str | ArrayLike = "measurement",
     fixed: Collection[str] | Mapping[str, Any] = (),
     per_channel: Collection[str] = (),
+    max_theta: float | None = None,
     time: int = 0,
     progress: Progress | None = None,
 ) -> Fit:
@@ -62,6 +68,8 @@ def fit(
         Parameters to hold: names (at the model's values), or a mapping of names to values.
     per_channel
         Parameters to fit for each channel that are shared otherwise: ``["K_s"]`` for a coloured highlight (metals).
+    max_theta
+        Leave out samples with theta_i or theta_r beyond this [rad]; goniometers are least sure there (Ngan et al. 2005 stopped at 80 degrees).
     time
         Which of the measurement's times.
     progress
@@ -84,24 +92,45 @@ def fit(
     if not 0 <= time < data.n_times:
         raise DataError(f"time {time} is outside 0..{data.n_times - 1}: the measurement has {data.n_times} time(s)", "Choose one with time=")
     data = data.at(time) if data.n_times > 1 else data
+    if max_theta is not None:
+        if not 0 < max_theta <= HALF_PI:
+            raise DataError(f"max_theta = {max_theta:.4g} is outside (0, 1.571] rad", f"{max_theta:.4g} degrees is {math.radians(max_theta):.3f} rad")
+        beyond = np.minimum(data.wi[:, 2], data.wo[:, 2]) < math.cos(max_theta)
+        data = data.with_mask(beyond[None, :, None], f"theta beyond {math.degrees(max_theta):.3g} degrees")
     loss_named(loss), robust_named(robust)
     texts: tuple[str | BRDF, ...] = CANDIDATES if isinstance(model, str) and model.strip() == "auto" else (model,)
-    attempts: list[_Attempt] = []
+    # Candidates are compared on a part of large data; the chosen one is then fitted to all.
+    compared, compared_weights = data, weights
+    if len(texts) > 1 and data.n_directions * data.n_channels > 3 * COMPARED_SAMPLES:
+        rows = _even_rows(data.n_directions, COMPARED_SAMPLES // data.n_channels)
+        compared = data.select(rows)
+        compared_weights = weights if isinstance(weights, str) else np.asarray(weights)[rows]
+    best: _Attempt | None = None
+    trials: list[Trial] = []
     too_few: DataError | None = None
+    steps = len(texts) + (compared is not data)
     for k, candidate in enumerate(texts):
         if progress:
-            progress(k, len(texts), candidate if isinstance(candidate, str) else describe(candidate))
+            progress(k, steps, candidate if isinstance(candidate, str) else describe(candidate))
         try:
-            attempts.append(_Attempt(data, candidate, loss, robust, weights, fixed, frozenset(per_channel), len(texts) > 1))
+            attempt = _Attempt(compared, candidate, loss, robust, compared_weights, fixed, frozenset(per_channel), len(texts) > 1)
         except DataError as error:
             too_few = error
-    if not attempts:
+            continue
+        trials.append(attempt.trial())
+        if best is None or attempt.bic < best.bic:
+            best = attempt  # the others are let go: their arrays are as large as the data
+    if best is None:
         assert too_few is not None
         raise too_few
-    best = min(attempts, key=lambda a: a.bic)
+    tried = tuple(replace(trial, chosen=trial.bic == best.bic) for trial in trials)
+    if compared is not data:
+        if progress:
+            progress(len(texts), steps, f"{describe(best.brdf)}, all samples")
+        best = _Attempt(data, describe(best.brdf), loss, robust, weights, fixed, frozenset(per_channel), True, best.x)
     if progress:
-        progress(len(texts), len(texts), "done")
-    return best.result(attempts, started)
+        progress(steps, steps, "done")
+    return best.result(tried, started)
 
 
 def _weights(data: Measurement, weights: str | ArrayLike) -> Floats:
@@ -127,6 +156,11 @@ def _weights(data: Measurement, weights: str | ArrayLike) -> Floats:
     return full * (used / full.sum())
 
 
+def _even_rows(n: int, count: int) -> NDArray[np.intp]:
+    """`count` of `n` rows, drawn evenly; the same each time."""
+    return np.sort(np.random.default_rng(19940724).choice(n, min(n, count), replace=False))
+
+
 class _Attempt:
     """One candidate, fitted."""
 
@@ -140,6 +174,7 @@ class _Attempt:
         fixed: Collection[str] | Mapping[str, Any],
         per_channel: frozenset[str],
         lenient: bool,
+        near: Floats | None = None,
     ) -> None:
         self.data, self.loss, self.robust = data, loss, robust
         start: BRDF | None = None
@@ -159,7 +194,8 @@ class _Attempt:
         self.brdf, self.held = brdf, held
         full = _weights(data, weights)
         quantities = layout(brdf, data.n_channels, held, per_channel)
-        used = full.any(axis=1)
+        used: Any = full.any(axis=1)
+        used = slice(None) if used.all() else used  # no copies of large data
         self.problem = Problem(
             model=brdf,
             quantities=quantities,
@@ -178,13 +214,13 @@ class _Attempt:
                 f"{self.problem.samples} usable sample(s) cannot determine the {self.problem.size} parameters of {describe(brdf)}",
                 "Measure more directions, or fit a smaller model",
             )
-        self.solution = self._solve(self._vector(start) if start else None)
+        self.solution = self._solve(self._vector(start) if start else None, near)
         self.x = self.solution.x[self.solution.best()]
         n = self.problem.samples
         objective = float(self.solution.normal.objective.min())
         self.objective = objective
         self.bic = n * math.log(max(2 * objective / n, 1e-300)) + self.problem.size * math.log(n)
-        self.predicted = self.problem_everywhere().predicted(self.x)
+        self.predicted = self._predicted()
 
     def _held_value(self, value: Any, per_channel: bool) -> Any:
         if np.ndim(value) == 0:
@@ -203,17 +239,23 @@ class _Attempt:
             x[q.where] = value
         return x
 
-    def _solve(self, given: Floats | None) -> Solution:
+    def _solve(self, given: Floats | None, near: Floats | None) -> Solution:
+        """From the best of many starts, or from the solution on a part of the data, `near`."""
         problem = self.problem
-        work = len(problem.wi) * problem.channels
-        most = int(np.clip(600_000 // work, 3, 16))
-        starts = starting_points(problem, given, most)
         low, high = problem.bounds
-        if work > 60_000:  # the fit of every start is costly: thin them out on a part of the data first
-            part = self._part(20_000)
-            rough = minimize(part.normal, starts, low, high, max_iterations=40, reduction=1e-5)
-            starts = rough.x[np.argsort(rough.normal.objective, kind="stable")[:2]]
-        solution = minimize(problem.normal, starts, low, high)
+        work = len(problem.wi) * problem.channels
+        # A relative change of the objective of 1/work moves the parameters by about a standard error.
+        reduction = min(1e-8, 1e-3 / work) if work > COMPARED_SAMPLES else 1e-10
+        if near is not None:
+            starts = near[None]
+        else:
+            starts = starting_points(problem, given, most=int(np.clip(600_000 // work, 3, 16)))
+            # With much data a pass is costly, and a part of it says nearly the same: thin the starts out on growing parts first.
+            for samples, most in ((20_000, 3), (COMPARED_SAMPLES, 1)):
+                if work > 3 * samples:
+                    rough = minimize(self._part(samples).normal, starts, low, high, max_iterations=60, reduction=1e-7)
+                    starts = rough.x[np.argsort(rough.normal.objective, kind="stable")[:most]]
+        solution = minimize(problem.normal, starts, low, high, reduction=reduction)
         if self.robust != "none":
             residual = problem.residuals(solution.x[solution.best()])[problem.weights > 0]
             scale = 1.4826 * float(np.median(np.abs(residual - np.median(residual))))
@@ -222,25 +264,20 @@ class _Attempt:
         return solution
 
     def _part(self, samples: int) -> Problem:
-        """An even part of the directions."""
-        from dataclasses import replace
-
+        """The problem at a part of the directions, drawn evenly."""
         problem = self.problem
-        count = max(200, samples // problem.channels)
-        if count >= len(problem.wi):
-            return problem
-        rows = np.random.default_rng(19940724).choice(len(problem.wi), count, replace=False)
-        rows.sort()
+        rows = _even_rows(len(problem.wi), max(200, samples // problem.channels))
         return replace(problem, wi=problem.wi[rows], wo=problem.wo[rows], values=problem.values[rows], weights=problem.weights[rows])
 
-    def problem_everywhere(self) -> Problem:
-        """The problem at all directions of the data, those without a usable sample included."""
-        from dataclasses import replace
-
-        if len(self.problem.wi) == self.data.n_directions:
-            return self.problem
-        shape = (self.data.n_directions, self.data.n_channels)
-        return replace(self.problem, wi=self.data.wi, wo=self.data.wo, values=np.zeros(shape), weights=np.zeros(shape))
+    def _predicted(self) -> Floats:
+        """The fitted BRDF at all directions of the data (N, C), those without a usable sample included."""
+        data = self.data
+        if len(self.problem.wi) == data.n_directions:
+            return self.problem.predicted(self.x)
+        shape = (data.n_directions, data.n_channels)
+        everywhere = replace(self.problem, wi=data.wi, wo=data.wo, values=np.zeros(shape), weights=np.zeros(shape))
+        above = (data.wi[:, 2] > 0) & (data.wo[:, 2] > 0)
+        return np.where(above[:, None], everywhere.predicted(self.x), 0.0)
 
     # ------------------------------------------------------------ the result
 
@@ -250,10 +287,9 @@ class _Attempt:
 
     def metrics(self) -> dict[str, float]:
         mask = self.data.mask[0]
-        measured, fitted = self.data.values[0], self.predicted
         cosines = np.broadcast_to(self.data.wi[:, 2:3], mask.shape)[mask]
-        r, f = measured[mask], fitted[mask]
-        metrics = {"relative_rms": _rms(f - r) / max(_rms(r), 1e-300)}
+        r, f = self.data.values[0][mask], self.predicted[mask]
+        metrics = {"relative_rms": self.relative_rms}
         for name, loss in LOSSES.items():
             metrics[f"rms_{name}"] = _rms(loss.transform(f, cosines) - loss.transform(r, cosines))
         metrics |= {
@@ -264,16 +300,20 @@ class _Attempt:
         }
         return metrics
 
-    def trial(self, chosen: bool) -> Trial:
-        return Trial(
-            describe(self.brdf), self.problem.size, self.bic, self.metrics()["relative_rms"], self.objective, self.status, chosen
-        )
+    @cached_property
+    def relative_rms(self) -> float:
+        mask = self.data.mask[0]
+        measured = self.data.values[0][mask]
+        return _rms(self.predicted[mask] - measured) / max(_rms(measured), 1e-300)
+
+    def trial(self) -> Trial:
+        return Trial(describe(self.brdf), self.problem.size, self.bic, self.relative_rms, self.objective, self.status, False, self.problem.samples)
 
     def fitted_brdf(self) -> BRDF:
         values = {q.name: (self.x[q.where] if q.per_channel else float(self.x[q.where][0])) for q in self.problem.quantities}
         return self.brdf.with_parameters(values)
 
-    def result(self, attempts: list[_Attempt], started: float) -> Fit:
+    def result(self, tried: tuple[Trial, ...], started: float) -> Fit:
         errors = uncertainty(self.problem, self.x)
         brdf = self.fitted_brdf()
         where = {q.name: (q.where, q.per_channel) for q in self.problem.quantities}
@@ -306,7 +346,7 @@ class _Attempt:
             correlations=errors.correlations,
             metrics=metrics,
             status=self.status,
-            tried=tuple(a.trial(a is self) for a in attempts),
+            tried=tried,
             measurement=data,
             predicted=self.predicted,
             loss=self.loss,

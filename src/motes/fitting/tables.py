@@ -91,6 +91,7 @@ def fit_to_dict(fit: Fit) -> dict[str, Any]:
                 "objective": _finite(t.objective),
                 "status": str(t.status),
                 "chosen": t.chosen,
+                "n_samples": t.n_samples,
             }
             for t in fit.tried
         ],

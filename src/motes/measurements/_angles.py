@@ -13,22 +13,21 @@ def half_difference_grid(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
     """The bins of the MERL table (Matusik et al. 2003) at their centres, phi_h = 0.
 
-    theta_h has square-root bins, theta_h = (pi/2) (i/n)^2 at the edges, theta_d and phi_d in [0, pi) even ones; phi_d varies fastest.
+    theta_h has square-root bins, theta_h = (pi/2) (i/n)^2 at the edges, theta_d and phi_d in [0, pi) even ones; phi_d
+    varies fastest.
 
     Returns
     -------
     wi, wo
         (N, 3), of the N bins with both directions above the horizon.
     weights
-        (N,) [sr^2/rad]: the integral of d omega_i d omega_o / d phi_h = sin(theta_h) d theta_h 4 cos(theta_d) sin(theta_d) d theta_d d phi_d
-        over each bin, exact between its edges.
+        (N,) [sr^2/rad]: the integral of d omega_i d omega_o / d phi_h = sin(theta_h) d theta_h 4 cos(theta_d)
+        sin(theta_d) d theta_d d phi_d over each bin, exact between its edges.
     above
         Which of all bins, in the order of the file, these are.
 
-    Notes
-    -----
-    The same rotation as `motes.directions.from_half_difference`; written out since sines of three axes are cheap and those of
-    1.5 million points are not.
+    Notes ----- The same rotation as `motes.directions.from_half_difference`; written out since sines of three axes are
+    cheap and those of 1.5 million points are not.
     """
     theta_h = ((np.arange(n_theta_h) + 0.5) / n_theta_h) ** 2 * HALF_PI
     theta_d = (np.arange(n_theta_d) + 0.5) / n_theta_d * HALF_PI
@@ -56,6 +55,6 @@ def polar_bins(n: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
 
 
 def node_weights(theta: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Solid angles per azimuth for increasing nodes of the polar angle: |d cos theta| between the midpoints, 0 and pi/2 at the ends."""
+    """Solid angles per azimuth of increasing polar angles: |d cos theta| between their midpoints, 0 and pi/2."""
     edges = np.concatenate([[0.0], (theta[1:] + theta[:-1]) / 2, [HALF_PI]])
     return np.abs(np.diff(np.cos(np.clip(edges, 0, HALF_PI))))

@@ -1,4 +1,4 @@
-"""OpenEXR pictures as float32 arrays; the header is checked against the size of the file before the library is asked to decode it."""
+"""OpenEXR pictures as float32 arrays; headers are checked against the size of the file before decoding."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ from motes.measurements import _files
 
 MAGIC = struct.pack("<I", 20000630)
 HEADER = 65536
-# The best that lossless compression makes of a measured picture is far below; it bounds what a small hostile file can make us allocate.
+# The best that lossless compression makes of a measured picture is far below; it bounds what a small hostile file can
+# make us allocate.
 LARGEST_RATIO = 1000
 
 
@@ -64,7 +65,9 @@ def read(path: Path, purpose: str) -> dict[str, NDArray[np.float32]]:
         with OpenEXR.File(str(path), separate_channels=True) as file:
             channels = {name: np.asarray(c.pixels, np.float32) for name, c in file.channels().items()}
     except Exception as error:  # the library raises what it likes: RuntimeError, ValueError, TypeError
-        raise FormatError(f"{path} cannot be decoded: {str(error)[:200]}", "The file is damaged; fetch it again") from None
+        raise FormatError(
+            f"{path} cannot be decoded: {str(error)[:200]}", "The file is damaged; fetch it again"
+        ) from None
     if not channels or any(c.ndim != 2 or c.shape != next(iter(channels.values())).shape for c in channels.values()):
         raise FormatError(f"{path} has no channels of one size", "Layers and subsampled channels are not read")
     return channels

@@ -20,8 +20,8 @@ def union(scans: Sequence[NDArray[np.float64]]) -> tuple[NDArray[np.float64], li
     Parameters
     ----------
     scans
-        Arrays (M_t, D) of directions, a row a sample; M_t = 0 for a scan that is missing.  Rows of one scan are never merged, so a
-        direction measured twice in each scan stays two directions.
+        Arrays (M_t, D) of directions, a row a sample; M_t = 0 for a scan that is missing.  Rows of one scan are never
+        merged, so a direction measured twice in each scan stays two directions.
 
     Returns
     -------
@@ -30,36 +30,36 @@ def union(scans: Sequence[NDArray[np.float64]]) -> tuple[NDArray[np.float64], li
     indices
         For each scan, the rows (M_t,) that its samples belong to.
     """
-    rows: NDArray[np.float64] = np.empty((0, scans[0].shape[1]))
+    first = next((scan for scan in scans if len(scan)), scans[0])
+    parts, n_rows = [first], len(first)
     where: dict[bytes, list[int]] | None = None
     indices: list[NDArray[np.intp]] = []
     for scan in scans:
-        if len(rows) == 0:
-            rows = scan
-            indices.append(np.arange(len(scan)))
-            continue
-        n = min(len(scan), len(rows))
+        # Scans of one rig list their directions in one order, so most are found in their place ...
+        n = min(len(scan), len(first))
         index = np.full(len(scan), -1)
-        same = np.all(np.abs(scan[:n] - rows[:n]) <= SAME_DIRECTION, axis=1)
+        same = np.all(np.abs(scan[:n] - first[:n]) <= SAME_DIRECTION, axis=1)
         index[:n][same] = np.flatnonzero(same)
-        if np.any(index < 0):
+        missing = np.flatnonzero(index < 0)
+        if len(missing):  # ... and the others by what they are
             if where is None:
                 where = defaultdict(list)
-                for i, key in enumerate(_keys(rows)):
+                for i, key in enumerate(_keys(first)):
                     where[key].append(i)
             taken = set(index[index >= 0].tolist())
             new: list[int] = []
-            keys = _keys(scan)
-            for i in np.flatnonzero(index < 0):
-                free = [j for j in where[keys[i]] if j not in taken]
-                index[i] = free[0] if free else len(rows) + len(new)
-                if not free:
+            for i, key in zip(missing.tolist(), _keys(scan[missing]), strict=True):
+                free = next((j for j in where[key] if j not in taken), None)
+                if free is None:
+                    free = n_rows + len(new)
                     new.append(i)
-                    where[keys[i]].append(int(index[i]))
-                taken.add(int(index[i]))
-            rows = np.concatenate([rows, scan[new]])
+                    where[key].append(free)
+                index[i] = free
+                taken.add(free)
+            parts.append(scan[new])
+            n_rows += len(new)
         indices.append(index)
-    return rows, indices
+    return np.concatenate(parts), indices
 
 
 def spread(
@@ -70,7 +70,8 @@ def spread(
     size = len(indices) * n_rows * n_channels
     if size > max(SPARSE_LIMIT, 16 * n_samples):
         raise FormatError(
-            f"{where}: {len(indices)} scans of {n_rows} different directions would fill an array of {size:,} with {n_samples:,} values",
+            f"{where}: {len(indices)} scans of {n_rows} different directions make an array of {size:,} "
+            f"for {n_samples:,} values",
             "Scans at different times must share most of their directions; check the time stamps and the directions",
         )
     spread_values = np.full((len(indices), n_rows, n_channels), np.nan)

@@ -1,38 +1,43 @@
-"""Time stamps out of text whose exact layout is not known: dates, clock times or seconds, as many as there are scans."""
+"""Time stamps out of text whose layout is not known: dates, clock times or seconds, as many as there are scans."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
 from datetime import datetime
+from itertools import pairwise
+
+LONGEST = 2**20  # characters that are looked at
 
 _CLOCK = r"(\d{1,2}):(\d{2})(?::(\d{2}(?:\.\d{1,9})?))?"
 _YEAR_FIRST = re.compile(rf"(?<!\d)(\d{{4}})[-/.](\d{{1,2}})[-/.](\d{{1,2}})[ T,_]+{_CLOCK}")
 _YEAR_LAST = re.compile(rf"(?<!\d)(\d{{1,2}})[-/.](\d{{1,2}})[-/.](\d{{4}})[ T,_]+{_CLOCK}")
-_MONTHS = "jan feb mar apr may jun jul aug sep oct nov dec".split()
+_MONTHS = ("jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", "nov", "dec")
 _ASCTIME = re.compile(
     rf"({'|'.join(_MONTHS)})[a-z]*\.? +(\d{{1,2}}),? +{_CLOCK}(?: +[A-Z]{{2,5}})? +(\d{{4}})", re.IGNORECASE
 )
 _BARE_CLOCK = re.compile(rf"(?<![\d:.]){_CLOCK}(?![\d:])")
 _NUMBER = r"([-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d{1,3})?|[-+]?\.\d+)"
-_UNIT = r"\s*(s|secs?|seconds?|m|mins?|minutes?|h|hrs?|hours?|d|days?)?\b\.?"
+_UNIT = r" ?(s|secs?|seconds?|m|mins?|minutes?|h|hrs?|hours?|d|days?)?\b\.?"
+# for lines with single spaces only, so that the optional parts cannot backtrack over long runs of them
 _SCAN_LINE = re.compile(
-    rf"^\s*(?:scan|time|t|frame|#)?\s*_?#?\s*\d+\s*(?:[:=,;\t]|\s)\s*(?:at|time)?\s*[:=]?\s*{_NUMBER}{_UNIT}\s*$",
-    re.IGNORECASE,
+    rf"^(?:scan|time|t|frame|#)? ?_?#? ?\d+ ?[:=,; ] ?(?:at|time)? ?[:=]? ?{_NUMBER}{_UNIT}$", re.IGNORECASE
 )
-_BARE_LINE = re.compile(rf"^\s*{_NUMBER}{_UNIT}\s*$", re.IGNORECASE)
-_STAMP_LINE = re.compile(r"^[^:=]*(?:time|stamp)[^:=]*[:=](.*)$", re.IGNORECASE)
+_BARE_LINE = re.compile(rf"^{_NUMBER}{_UNIT}$", re.IGNORECASE)
+_HEADING_UNIT = re.compile(r"[\[(] ?(s|secs?|seconds?|mins?|minutes?|h|hours?|d|days?) ?[\])]", re.IGNORECASE)
 _HOURS = {"s": 1 / 3600, "m": 1 / 60, "h": 1.0, "d": 24.0}
 
 
 def hours(text: str, n_scans: int) -> list[float] | None:
-    """Hours since the first scan of `n_scans` time stamps, or None where the text does not hold as many in increasing order.
+    """Hours since the first scan of `n_scans` time stamps, or None where the text does not hold as many in increasing
+    order.
 
-    Tried in this order, each only when it finds exactly `n_scans`: dates with clock times (year first as in ISO 8601, month/day/year, or C's
-    asctime), clock times alone (passing midnight adds a day), lines ``scan 3: 72.5 s``, numbers after a line "Time stamps" (seconds where no
-    unit is given).
+    Tried in this order, each only when it finds exactly `n_scans`: dates with clock times (year first as in ISO 8601,
+    month/day/year, or C's asctime), clock times alone (passing midnight adds a day), lines ``scan 3: 72.5 s``, numbers
+    after a line "Time stamps" (seconds where no unit is given).
     """
-    lines = text.splitlines()
+    text = text[:LONGEST]
+    lines = [" ".join(line.split()) for line in text.splitlines()]
     attempts: list[Callable[[], Iterable[float]]] = [
         lambda: [_date(m.group(1, 2, 3), m.group(4, 5, 6)) for m in _YEAR_FIRST.finditer(text)],
         lambda: [_american(m.group(1, 2, 3), m.group(4, 5, 6)) for m in _YEAR_LAST.finditer(text)],
@@ -49,7 +54,7 @@ def hours(text: str, n_scans: int) -> list[float] | None:
         except (ValueError, OverflowError):  # the 31st of February, 1e999 days
             continue
         times = [t - found[0] for t in found]
-        if len(times) == n_scans and all(b > a for a, b in zip(times, times[1:], strict=False)):
+        if len(times) == n_scans and all(b > a for a, b in pairwise(times)):
             return times
     return None
 
@@ -89,14 +94,12 @@ def _seconds(match: re.Match[str]) -> float:
 def _after_heading(lines: list[str]) -> list[float]:
     """Numbers on the line that names time stamps, or alone on the lines below it."""
     for i, line in enumerate(lines):
-        heading = _STAMP_LINE.match(line)
-        if heading is None:
+        label, separator, rest = line.replace("=", ":", 1).partition(":")
+        if not separator or not re.search("time|stamp", label, re.IGNORECASE):
             continue
-        unit = re.search(
-            r"[\[(]\s*(s|sec|seconds?|min|minutes?|h|hours?|d|days?)\s*[\])]", line.partition(":")[0], re.IGNORECASE
-        )
+        unit = _HEADING_UNIT.search(label)
         factor = _HOURS[unit[1][0].lower()] if unit else _HOURS["s"]
-        found = [float(x) for x in re.findall(rf"(?<![\w.]){_NUMBER}(?![\w.])", heading[1])]
+        found = [float(x) for x in re.findall(rf"(?<![\w.]){_NUMBER}(?![\w.])", rest)]
         for below in lines[i + 1 :]:
             match = _BARE_LINE.match(below)
             if match is None:

@@ -1,8 +1,9 @@
-"""Bilinear interpolants on the unit square that depend on the incident direction, and the marginal-conditional warp that they define.
+"""Bilinear interpolants on the unit square that depend on the incident direction, and the marginal-conditional warp
+that they define.
 
-Dupuy and Jakob 2018, section 3 and supplement: the density is bilinear between the nodes of a grid; the warp maps uniform s onto it by
-inverting the marginal distribution of rows (y), then the conditional one within the row (x).  Between nodes of the incident direction,
-densities and distribution functions are interpolated linearly.
+Dupuy and Jakob 2018, section 3 and supplement: the density is bilinear between the nodes of a grid; the warp maps
+uniform s onto it by inverting the marginal distribution of rows (y), then the conditional one within the row (x).
+Between nodes of the incident direction, densities and distribution functions are interpolated linearly.
 """
 
 from __future__ import annotations
@@ -110,7 +111,10 @@ class Warp:
 
 
 def _solve(a: Array, b: Array, area: Array) -> Array:
-    """The f in [0, 1] where the linear function from a to b has integral `area`: f a + f^2 (b - a)/2, in the form that never cancels."""
+    """The f in [0, 1] with f a + f^2 (b - a)/2 = `area`, the integral of the linear function from a to b.
+
+    In the form of the root that never cancels.
+    """
     root = np.sqrt(np.maximum(a * a + 2 * (b - a) * area, 0))
     with np.errstate(divide="ignore", invalid="ignore"):
         f = 2 * area / (a + root)

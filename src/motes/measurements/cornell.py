@@ -1,7 +1,7 @@
 """Cornell ``.brdf`` (Program of Computer Graphics): spectral goniometer measurements of paints.
 
-``#`` comments; the number of wavelengths; the wavelengths in nm; then rows ``theta_i phi_i theta_s phi_s v1 .. vn`` in radians.  phi_s = +-pi is
-the specular side.
+``#`` comments; the number of wavelengths; the wavelengths in nm; then rows ``theta_i phi_i theta_s phi_s v1 .. vn`` in
+radians.  phi_s = +-pi is the specular side.
 """
 
 from __future__ import annotations
@@ -37,6 +37,8 @@ def read(path: Path) -> Measurement:
         tokens += data.split()
         if hash_sign and comment.strip() and not tokens:
             comments.append(comment.strip())
+    comments = [c for c in comments if not c.lower().startswith(("num wl", "wls"))]
+    title = next((c for c in comments if "cornell" not in c.lower()), path.stem)
     n = _files.integer(tokens[0]) if tokens else None
     if n is None or not 1 <= n <= MOST_WAVELENGTHS:
         found = f"{tokens[0][:40]!r}" if tokens else "nothing"
@@ -72,11 +74,8 @@ def read(path: Path) -> Measurement:
     zeros = int(np.count_nonzero(values == 0))
     if zeros:
         notes.append(
-            f"{zeros} of {values.size} values are exactly 0: the source wrote 0 where it measured nothing above its noise"
+            f"{zeros} of {values.size} values are exactly 0: where the source measured nothing above its noise"
         )
-    title = [
-        c for c in comments if "cornell" not in c.lower() and not c.lower().startswith(("num wls", "wls", "theta"))
-    ]
     return Measurement.from_arrays(
         directions.from_spherical(angles[:, 0], angles[:, 1]),
         directions.from_spherical(angles[:, 2], angles[:, 3]),
@@ -85,7 +84,7 @@ def read(path: Path) -> Measurement:
         provenance={
             "format": NAME,
             "path": str(path),
-            "name": title[0] if title else path.stem,
+            "name": title,
             "source": SOURCE,
             "comments": comments,
             "notes": notes,

@@ -1,7 +1,8 @@
 """CUReT (Dana, van Ginneken, Nayar, Koenderink 1999): 61 real-world surfaces at 205 pairs of directions.
 
-``abrdf.dat`` holds a row a sample, its number and then f_r averaged over R, G and B, with three decimals; ``table.txt`` beside it the
-directions, ``k theta_v phi_v theta_i phi_i`` in radians, in rows numbered from 1.  Equal azimuths are backscatter.
+``abrdf.dat`` holds a row a sample, its number and then f_r averaged over R, G and B, with three decimals; ``table.txt``
+beside it the directions, ``k theta_v phi_v theta_i phi_i`` in radians, in rows numbered from 1.  Equal azimuths are
+backscatter.
 """
 
 from __future__ import annotations
@@ -77,13 +78,16 @@ def read(path: Path, *, sample: int | str | None = None) -> Measurement:
         "source": SOURCE,
         "notes": [
             "f_r in 1/sr, averaged over red, green and blue, printed with three decimals",
-            "Glossy samples can be clipped: averaging and the camera's overflow leave no plateau, so clipped samples need not be recognisable",
+            "Glossy samples can be clipped; averaged over channels, clipping leaves no plateau to know it by",
         ],
     }
     return Measurement.from_arrays(wi, wo, values, provenance=provenance, reasons={policy.CLIPPED: clipped})
 
 
 def _values_file(path: Path) -> Path:
+    """``abrdf.dat``, whichever of the folder and its two files was named."""
+    if path.name == TABLE:
+        path = path.parent
     return path / VALUES if path.is_dir() else path
 
 

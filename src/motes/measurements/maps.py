@@ -22,13 +22,14 @@ class ParameterMaps:
 
     .. math::  f_r = D / \pi + K_s \rho_s, \quad K_s = S / (\pi R^2 (1 - e^{-1/R^2})), \quad \sigma_s = R
 
-    for the maps D = Diffuse, S = Specular, R = Roughness.  The facet distribution is :math:`e^{-(\theta_h/\sigma_s)^2}`, as in
-    `motes.TorranceSparrow`, and S its weight after normalisation.
+    for the maps D = Diffuse, S = Specular, R = Roughness.  The facet distribution is
+    :math:`e^{-(\theta_h/\sigma_s)^2}`, as in `motes.TorranceSparrow`, and S its weight after normalisation.
 
     Parameters
     ----------
     coefficients
-        ``Diffuse`` (degree + 1, y, x, 3), ``Specular`` (..., 3) or (..., 1), ``Roughness`` (..., 1) [rad]: the coefficients of t^d.
+        ``Diffuse`` (degree + 1, y, x, 3), ``Specular`` (..., 3) or (..., 1), ``Roughness`` (..., 1) [rad]: the
+        coefficients of t^d.
     provenance
         As in `Measurement`.
     times
@@ -56,11 +57,12 @@ class ParameterMaps:
     @property
     def shape(self) -> tuple[int, int]:
         """(y, x) of the maps."""
-        y, x = self.coefficients["Diffuse"].shape[1:3]
-        return y, x
+        shape = self.coefficients["Diffuse"].shape
+        return int(shape[-3]), int(shape[-2])
 
     def raw(self, t: float) -> dict[str, NDArray[np.float64]]:
-        """The polynomials at a time, as they are: they may dip below 0.  Diffuse (y, x, 3), Specular (y, x[, 3]), Roughness (y, x).
+        """The polynomials at a time, as they are: they may dip below 0.  Diffuse (y, x, 3), Specular (y, x[, 3]),
+        Roughness (y, x).
 
         Raises
         ------
@@ -69,10 +71,12 @@ class ParameterMaps:
         """
         low, high = self.times
         if not low <= t <= high:
-            raise ParameterError(f"t = {t:g} is outside [{low:g}, {high:g}], the time that the maps cover", "Choose a time within")
+            raise ParameterError(
+                f"t = {t:g} is outside [{low:g}, {high:g}], the time that the maps cover", "Choose a time within"
+            )
         result = {}
         for name, coefficients in self.coefficients.items():
-            value = np.zeros(coefficients.shape[1:])
+            value: NDArray[np.float64] = np.zeros(coefficients.shape[1:])
             for c in coefficients[::-1]:  # Horner
                 value *= t
                 value += c
@@ -82,8 +86,8 @@ class ParameterMaps:
     def at(self, t: float) -> dict[str, NDArray[np.float64]]:
         """The parameters at a time: ``K_d`` (y, x, 3), ``K_s`` (y, x[, 3]), ``sigma_s`` (y, x) [rad].
 
-        The polynomials are evaluated and then clamped at 0, as their source prescribes.  Where Roughness is 0 there is no lobe to give
-        the Specular to: sigma_s and K_s are both 0 there (`summary` counts these texels).
+        The polynomials are evaluated and then clamped at 0, as their source prescribes.  Where Roughness is 0 there is
+        no lobe to give the Specular to: sigma_s and K_s are both 0 there (`summary` counts these texels).
         """
         raw = {name: np.maximum(value, 0) for name, value in self.raw(t).items()}
         sigma_s, specular = raw["Roughness"], raw["Specular"]
@@ -100,8 +104,8 @@ class ParameterMaps:
 
     def summary(self) -> dict[str, Any]:
         """What ``motes info`` prints; plain JSON types."""
-        times = np.linspace(*self.times, 6)
-        below = {name: 0 for name in self.names}
+        times = np.linspace(*self.times, 6).round(12)
+        below = dict.fromkeys(self.names, 0)
         for t in times:
             for name, value in self.raw(float(t)).items():
                 below[name] += int(np.count_nonzero(value <= 0 if name == "Roughness" else value < 0))

@@ -1,8 +1,10 @@
-"""MBSDF (NVIDIA's MDL SDK): isotropic tables of reflection in even bins of theta_i, theta_r and the azimuth between them.
+"""MBSDF (NVIDIA's MDL SDK): isotropic tables of reflection in even bins of theta_i, theta_r and the azimuth between
+them.
 
-``NVIDIA ARC MBSDF V1``, lines of text, ``MBSDF_DATA_REFLECTION=``; int32 type (0 scalar, 1 RGB), n_theta, n_phi; float32
-[theta_in][theta_out][phi][channel].  theta spans [0, pi/2] and phi [0, pi], whose last bin is the specular side.  Bins are read at their centres.
-The values obey reciprocity as they are (no cosine in them); small negative ones are out of gamut and masked.
+``NVIDIA ARC MBSDF V1``, lines of text, ``MBSDF_DATA_REFLECTION=``; int32 type (0 scalar, 1 RGB), n_theta, n_phi;
+float32 [theta_in][theta_out][phi][channel].  theta spans [0, pi/2] and phi [0, pi], whose last bin is the specular
+side.  Bins are read at their centres. The values obey reciprocity as they are (no cosine in them); small negative ones
+are out of gamut and masked.
 """
 
 from __future__ import annotations
@@ -69,7 +71,7 @@ def read(path: Path) -> Measurement:
     copies = _copies(table.reshape(n_theta, -1))
     if copies:
         notes.append(
-            f"The last {copies} of {n_theta} angles of incidence repeat the one before them: filled in by the source, not measured"
+            f"The last {copies} of {n_theta} angles of incidence repeat the one before them: filled in, not measured"
         )
     if TRANSMISSION in header[:start]:
         notes.append("The file holds a transmission too, which is not read")

@@ -19,7 +19,8 @@ from motes.measurements import policy
 class Measurement:
     """Measured reflectance: T times, N pairs of directions, C channels.  Immutable; its arrays are read-only.
 
-    Make one with `motes.read` or `Measurement.from_arrays`, which apply the policy for invalid data of `motes.measurements.policy`.
+    Make one with `motes.read` or `Measurement.from_arrays`, which apply the policy for invalid data of
+    `motes.measurements.policy`.
 
     Parameters
     ----------
@@ -34,12 +35,13 @@ class Measurement:
     mask
         (T, N, C), True where the sample is usable.
     weights
-        (N,), proportional to the solid angles d omega_i d omega_o that a sample stands for; ones where the format has none.  Only their ratios
-        mean anything.
+        (N,), proportional to the solid angles d omega_i d omega_o that a sample stands for; ones where the format has
+        none.  Only their ratios mean anything.
     masked
         Reason -> number of samples masked for it; the counts add up to the masked samples.
     provenance
-        ``format, path, sample, name, source, notes``: where the numbers come from, what is known of their scale, what the reader did.
+        ``format, path, sample, name, source, notes``: where the numbers come from, what is known of their scale, what
+        the reader did.
     time_unit
         ``"h"``, or ``"scan"`` where only the order is known.
     wavelengths
@@ -94,7 +96,8 @@ class Measurement:
         values
             f_r [1/sr]: (N,), (N, C) or (T, N, C).
         times
-            (T,), strictly increasing; the default is 0 for one time and 0, 1, 2, ... with the unit ``"scan"`` for several.
+            (T,), strictly increasing; the default is 0 for one time and 0, 1, 2, ... with the unit ``"scan"`` for
+            several.
         channels
             C names; the default is the wavelengths, ``grey`` for one channel, ``R, G, B`` for three.
         wavelengths, weights
@@ -104,8 +107,8 @@ class Measurement:
         provenance
             See the class.
         reasons
-            Reason -> boolean array broadcastable to (T, N, C), True where a sample is to be masked for this reason; these come before
-            the general rules.
+            Reason -> boolean array broadcastable to (T, N, C), True where a sample is to be masked for this reason;
+            these come before the general rules.
 
         Raises
         ------
@@ -202,7 +205,7 @@ class Measurement:
 
     @property
     def dphi(self) -> NDArray[np.float64]:
-        """phi_r - phi_i (N,) [rad] in (-pi, pi]: 0 is backscatter, pi the specular side; 0 where either direction is the normal."""
+        """phi_r - phi_i (N,) [rad] in (-pi, pi]: 0 is backscatter, pi the specular side; 0 at normal incidence."""
         (xi, yi), (xo, yo) = self.wi.T[:2], self.wo.T[:2]
         return np.arctan2(xi * yo - yi * xo, xi * xo + yi * yo)
 

@@ -1,8 +1,9 @@
 """MERL ``.binary`` (Matusik, Pfister, Brand, McMillan 2003): isotropic RGB tables in half and difference angles.
 
-int32 little-endian (90, 90, 180); three planes R, G, B of float64 little-endian, index = phi_d + 180 (theta_d + 90 theta_h), with square-root bins of
-theta_h; f_r = stored x (1, 1.15, 1.66) / 1500.  Bins are read at their centres.  Those whose wi or wo lies below the horizon are left out and
-counted in ``provenance["dropped"]``; a negative value in the others marks an invalid bin and is masked.
+int32 little-endian (90, 90, 180); three planes R, G, B of float64 little-endian, index = phi_d + 180 (theta_d + 90
+theta_h), with square-root bins of theta_h; f_r = stored x (1, 1.15, 1.66) / 1500.  Bins are read at their centres.
+Those whose wi or wo lies below the horizon are left out and counted in ``provenance["dropped"]``; a negative value in
+the others marks an invalid bin and is masked.
 """
 
 from __future__ import annotations

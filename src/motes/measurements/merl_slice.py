@@ -1,7 +1,8 @@
 """Slices of MERL tables, as ALTA and BRDF Explorer pass them around (f_r in 1/sr).
 
-A text file ``.alta`` with ``#PARAM_IN COS_TH``: rows ``cos(theta_h) R G B`` at theta_d ~ 0, which is backscatter: wi = wo at theta_h from the
-normal.  Or an OpenEXR picture of 512 x 512: theta_h = 0..90 degrees along x, theta_d = 0..90 degrees upward, phi_d = 90 degrees, linear f_r.
+A text file ``.alta`` with ``#PARAM_IN COS_TH``: rows ``cos(theta_h) R G B`` at theta_d ~ 0, which is backscatter: wi =
+wo at theta_h from the normal.  Or an OpenEXR picture of 512 x 512: theta_h = 0..90 degrees along x, theta_d = 0..90
+degrees upward, phi_d = 90 degrees, linear f_r.
 """
 
 from __future__ import annotations
@@ -48,16 +49,23 @@ def _curve(path: Path) -> Measurement:
                 comments.append(" ".join(words))
         elif line.strip():
             words = line.split()
-            _files.require(len(words) == 4, f"{path}, data row {rows + 1} has {len(words)} numbers, not 4", "Rows are: cos(theta_h) R G B")
+            _files.require(
+                len(words) == 4,
+                f"{path}, data row {rows + 1} has {len(words)} numbers, not 4",
+                "Rows are: cos(theta_h) R G B",
+            )
             tokens += words
             rows += 1
     if header.get("DIM") != ["1", "3"] or header.get("PARAM_IN") != ["COS_TH"] or rows == 0:
         raise FormatError(
-            f"{path} has {rows} rows of DIM {header.get('DIM')} over {header.get('PARAM_IN')}", "Only #DIM 1 3 over COS_TH is read"
+            f"{path} has {rows} rows of DIM {header.get('DIM')} over {header.get('PARAM_IN')}",
+            "Only #DIM 1 3 over COS_TH is read",
         )
     numbers = _files.numbers(tokens, str(path)).reshape(-1, 4)
     cosine = numbers[:, 0]
-    _files.require(bool(np.all(np.abs(cosine) <= 1)), f"{path}: the first column is not a cosine", "Rows are: cos(theta_h) R G B")
+    _files.require(
+        bool(np.all(np.abs(cosine) <= 1)), f"{path}: the first column is not a cosine", "Rows are: cos(theta_h) R G B"
+    )
     w = directions.from_spherical(np.arccos(cosine), 0.0)
     notes = ["f_r in 1/sr along cos(theta_h) at theta_d ~ 0, read as exact backscatter: wi = wo", *comments]
     return Measurement.from_arrays(w, w, numbers[:, 1:], channels=("R", "G", "B"), provenance=_provenance(path, notes))
@@ -66,7 +74,11 @@ def _curve(path: Path) -> Measurement:
 def _picture(path: Path) -> Measurement:
     values = _exr.rgb(path, "reading a slice")
     height, width = values.shape[:2]
-    _files.require((height, width) == SIZE, f"{path} is {width} x {height} pixels, not 512 x 512", "This picture is no slice of a MERL table")
+    _files.require(
+        (height, width) == SIZE,
+        f"{path} is {width} x {height} pixels, not 512 x 512",
+        "This picture is no slice of a MERL table",
+    )
     theta_h = (np.arange(width) + 0.5) / width * directions.HALF_PI
     theta_d = (1 - (np.arange(height) + 0.5) / height) * directions.HALF_PI
     theta_h, theta_d = (a.reshape(-1) for a in np.meshgrid(theta_h, theta_d))

@@ -1,26 +1,25 @@
 """What Motes does with invalid measurements: it masks them, counts them, says so, and never changes them.
 
-Every reader hands its samples to `Measurement.from_arrays`, which applies these rules once, in this order.  A sample is counted under the first
-rule that it breaks, so the counts add up to the number of masked samples.
+Every reader hands its samples to `Measurement.from_arrays`, which applies these rules once, in this order.  A sample is
+counted under the first rule that it breaks, so the counts add up to the number of masked samples.
 
-===================================== ==================================================================================================
-what                                  what happens
-===================================== ==================================================================================================
-reasons of the reader                 masked under the reader's own words, before the general rules: ``not measured in this scan``,
-                                      ``negative (out of gamut)`` (RGL, MBSDF), ``negative (invalid bin)`` (MERL), ``clipped at the
-                                      ceiling`` (see `clipped`)
-a direction at or below the horizon   masked: ``wi`` or ``wo`` has cos(theta) <= 0, where a BRDF is not defined
-NaN or infinite                       masked
-negative                              masked: no surface reflects less than nothing; it is noise, a bad calibration or a marker
-excluded by the caller                masked: the ``mask`` given to `from_arrays`, or `Measurement.with_mask`
-exactly 0                             kept: a dark sample is a sample
-a direction that is not a unit vector an error naming the row where the length is off by more than 0.001, since nothing tells which of the
-                                      components is wrong; smaller deviations (printed digits) are normalised away
-nothing left                          no error here: a measurement with every sample masked can be looked at; a fit refuses it
-===================================== ==================================================================================================
+1. *Reasons of the reader's own* are masked under its words: ``not measured in this scan``; ``negative (out of gamut)``
+   (RGL, MBSDF); ``negative (invalid bin)`` (MERL); ``clipped at the ceiling`` (CUReT, TVBRDF, CSV; see `clipped`).
+2. *A direction at or below the horizon* is masked: ``wi`` or ``wo`` has cos(theta) <= 0, where a BRDF is not defined.
+3. *NaN and infinite* values are masked.
+4. *Negative* values are masked: no surface reflects less than nothing; it is noise, a bad calibration or a marker.
+5. *Excluded by the caller*: the ``mask`` given to `from_arrays`, and `Measurement.with_mask`.
 
-The values themselves stay as read, also where they are masked: nothing is clamped, filled in or dropped.  The one exception is the MERL
-table, a third of whose bins lie below the horizon by construction: these are left out and counted in ``provenance["dropped"]``.
+Values of exactly 0 are kept: a dark sample is a sample.
+
+A direction whose length is off by more than 0.001 is an error that names its row, for nothing tells which of the
+components is wrong; smaller deviations, from printed digits, are normalised away.
+
+A measurement with every sample masked is no error here: it can be looked at.  A fit refuses it.
+
+The values stay as read, also where they are masked: nothing is clamped or filled in.  Nothing is left out either, but
+for the parts of the MERL and RGL grids that lie below the horizon by construction (a quarter of a MERL table); they are
+counted in ``provenance["dropped"]``.
 """
 
 from __future__ import annotations
@@ -67,7 +66,8 @@ def unit_directions(w: ArrayLike, label: str) -> NDArray[np.float64]:
         row = int(np.argmax(bad))
         vector = ", ".join(f"{x:.6g}" for x in w[row])
         raise DataError(
-            f"{label} in row {row} is ({vector}), of length {norm[row]:.6g} instead of 1; {int(bad.sum())} of {len(w)} rows are off",
+            f"{label} in row {row} is ({vector}), of length {norm[row]:.6g} instead of 1 "
+            f"({int(bad.sum())} of {len(w)} rows are off)",
             f"Directions are unit vectors away from the surface; a deviation up to {NORM_TOLERANCE} is normalised away",
         )
     w /= norm[:, None]
@@ -81,7 +81,7 @@ def judge(
     mask: NDArray[np.bool_] | None,
     reasons: Mapping[str, ArrayLike] | None,
 ) -> tuple[NDArray[np.uint8], tuple[str, ...]]:
-    """Why each sample (T, N, C) is masked: 0 where it is usable, else 1 + the position of the reason in the names returned."""
+    """Why each sample (T, N, C) is masked: 0 where it is usable, else 1 + the reason's place in the names returned."""
     codes = np.zeros(values.shape, np.uint8)
     names: list[str] = []
 
@@ -104,11 +104,11 @@ def judge(
 def clipped(wi: NDArray[np.float64], wo: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Samples (T, N, C) that sit on a plateau at the maximum of their time and channel: the sensor's ceiling.
 
-    A plateau is called clipping when at least three *different* geometries share exactly the maximum, three times as many as share any of the
-    ten next lower values, and the maximum is at least three times the median.  Geometries that isotropy and reciprocity make equal (mirror
-    images, any azimuth at normal incidence, wi and wo swapped) count once: a noise-free simulation repeats its values there without any
-    clipping.  The last two conditions spare rounded data of matte surfaces, which repeat every value.  A sensor that saturates once or twice
-    is not found.
+    A plateau is called clipping when at least three *different* geometries share exactly the maximum, three times as
+    many as share any of the ten next lower values, and the maximum is at least three times the median.  Geometries that
+    isotropy and reciprocity make equal (mirror images, any azimuth at normal incidence, wi and wo swapped) count once:
+    a noise-free simulation repeats its values there without any clipping.  The last two conditions spare rounded data
+    of matte surfaces, which repeat every value.  A sensor that saturates once or twice is not found.
     """
     cosines = np.sort(np.stack([wi[:, 2], wo[:, 2]]), axis=0)
     key = np.round(np.stack([*cosines, np.einsum("ni,ni->n", wi, wo)], axis=1), 5)

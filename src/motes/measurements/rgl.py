@@ -1,8 +1,7 @@
 """RGL ``.bsdf`` (Dupuy and Jakob 2018): adaptive measurements in a tensor file, and their evaluation at any directions.
 
-``tensor_file\\0``, version bytes 1 0, uint32 number of fields; a field is uint16 name length, name, uint16 ndim, uint8 dtype, uint64 offset,
-uint64 shape[ndim].  The values lie on a grid of the unit square that a warp maps onto directions of the half vector wm so that it
-follows the material's lobe, for each node of theta_i (and phi_i):
+The values lie on a grid of the unit square that a warp maps onto directions of the half vector wm so that it follows
+the material's lobe, for each node of theta_i (and phi_i):
 
     u = (sqrt(2 theta_m / pi), (phi_m - phi_i + pi) / (2 pi) mod 1);   s = inverse of the vndf warp (u | theta_i);
     f_r cos(theta_o) = rgb(s | theta_i) ndf(u) / (4 sigma(theta_i))
@@ -12,7 +11,6 @@ Negative channels are out of gamut and masked.
 
 from __future__ import annotations
 
-import struct
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -23,8 +21,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from motes import directions
 from motes.errors import DataError, FormatError, MotesError
-from motes.measurements import _files
 from motes.measurements._angles import node_weights
+from motes.measurements._tensor_file import MAGIC, TensorFile
 from motes.measurements._warp import Grid, Warp, bracket
 from motes.measurements.measurement import Measurement
 
@@ -32,9 +30,6 @@ NAME = "rgl"
 SOURCE = (
     "Dupuy, Jakob, An Adaptive Parameterization for Efficient Material Acquisition and Rendering, ACM TOG 37(6), 2018"
 )
-MAGIC = b"tensor_file\0"
-DTYPES = {1: "u1", 2: "i1", 3: "<u2", 4: "<i2", 5: "<u4", 6: "<i4", 7: "<u8", 8: "<i8", 9: "<f2", 10: "<f4", 11: "<f8"}
-HEADER = 65536
 
 
 def sniff(path: Path, head: bytes) -> bool:
@@ -42,15 +37,16 @@ def sniff(path: Path, head: bytes) -> bool:
 
 
 def read(path: Path, *, resolution: int = 32) -> Measurement:
-    """A sample of the file: its nodes of theta_i below the horizon x a grid of outgoing directions in its own warped coordinates.
+    """A sample of the file: its angles of incidence x a grid of outgoing directions in its own warped coordinates.
 
     Parameters
     ----------
     path
         The ``.bsdf`` file.
     resolution
-        Outgoing directions an incident one, along each axis of the warped square; its cells are sampled at their centres, so that the
-        directions crowd where the lobe is.  The weights are the cells' solid angles times those of the nodes of theta_i.
+        Outgoing directions an incident one, along each axis of the warped square; its cells are sampled at their
+        centres, so that the directions crowd where the lobe is.  The weights are the cells' solid angles times those of
+        the nodes of theta_i.
     """
     if not (isinstance(resolution, (int, np.integer)) and 2 <= resolution <= 512):
         raise MotesError(
@@ -78,9 +74,9 @@ def read(path: Path, *, resolution: int = 32) -> Measurement:
             "isotropic": brdf.isotropic,
             "resolution": int(resolution),
             "notes": [
-                f"f_r in 1/sr, interpolated at {resolution} x {resolution} centres of cells of the file's warped square for each of its angles of "
-                "incidence below the horizon, weighted by solid angle",
-                f"{int(np.count_nonzero(~above)):,} of {len(above):,} directions of the grid lie below the horizon and are left out",
+                f"f_r in 1/sr, interpolated at the centres of {resolution} x {resolution} cells of the warped square "
+                "for each of its angles of incidence, weighted by solid angle",
+                f"{int(np.count_nonzero(~above)):,} of {len(above):,} directions of that grid are below the horizon",
             ],
             "dropped": {"grid directions below the horizon": int(np.count_nonzero(~above))},
         },
@@ -131,10 +127,10 @@ class TensorBRDF:
             When it is not one, is truncated, or lacks or contradicts its own fields.
         """
         path = Path(path)
-        fields = _Fields(path)
+        fields = TensorFile(path)
         phi_i, theta_i = fields.array("phi_i", 1), fields.array("theta_i", 1)
         ndf, sigma, vndf = fields.array("ndf", 2), fields.array("sigma", 2), fields.array("vndf", 4)
-        spectral = "spectra" in fields.table
+        spectral = "spectra" in fields
         values = fields.array("spectra" if spectral else "rgb", 5)
         wavelengths = fields.array("wavelengths", 1) if spectral else None
         nodes = (len(phi_i), len(theta_i))
@@ -145,7 +141,7 @@ class TensorBRDF:
         )
         if not consistent or values.shape[2] != (3 if wavelengths is None else len(wavelengths)):
             raise FormatError(
-                f"{path}: the shapes of vndf {vndf.shape} and of the values {values.shape} contradict {nodes} incident directions",
+                f"{path}: vndf has shape {vndf.shape} and the values {values.shape} for {nodes} incident directions",
                 "The file is damaged",
             )
         for name, node in (("phi_i", phi_i), ("theta_i", theta_i)):
@@ -216,7 +212,8 @@ class TensorBRDF:
             return value / wo[:, 2:]
 
     def directions(self, resolution: int) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-        """Pairs of directions that follow the lobe: the file's incident directions x `resolution`^2 centres of cells of the warped square.
+        """Pairs of directions that follow the lobe: the file's incident directions x `resolution`^2 centres of cells of
+        the warped square.
 
         Returns
         -------
@@ -275,72 +272,10 @@ class TensorBRDF:
     def _nodes(
         self, phi_i: NDArray[np.float64], theta_i: NDArray[np.float64]
     ) -> list[tuple[NDArray[np.intp], NDArray[np.intp], NDArray[np.float64]]]:
-        """The incident nodes around each direction, with their weights: 2 of theta_i, times 2 of phi_i where anisotropic."""
+        """The incident nodes around each direction and their weights: 2 of theta_i, times 2 of phi_i if anisotropic."""
         t0, t1, wt = bracket(self.theta_i, theta_i)
         if self.isotropic:
             zero = np.zeros_like(t0)
             return [(zero, t0, 1 - wt), (zero, t1, wt)]
         p0, p1, wp = bracket(self.phi_i, phi_i)
         return [(p, t, a * b) for p, a in ((p0, 1 - wp), (p1, wp)) for t, b in ((t0, 1 - wt), (t1, wt))]
-
-
-class _Fields:
-    """The table of contents of a tensor file; arrays are read when asked for, after their place in the file was checked."""
-
-    def __init__(self, path: Path) -> None:
-        self.path, self.size = path, path.stat().st_size
-        self.table: dict[str, tuple[str, int, tuple[int, ...]]] = {}
-        header = _files.head(path, HEADER)
-        if not header.startswith(MAGIC):
-            raise FormatError(f"{path} starts with {header[:12]!r}, not {MAGIC!r}", "This is not a tensor file")
-        try:
-            if header[12:14] != b"\x01\x00":
-                raise FormatError(
-                    f"{path} is a tensor file of version {tuple(header[12:14])}, not (1, 0)", "Only version 1.0 is read"
-                )
-            (n,), at = struct.unpack_from("<I", header, 14), 18
-            _files.require(n <= 1000, f"{path} claims {n} fields", "The file is damaged")
-            for _ in range(n):
-                (length,) = struct.unpack_from("<H", header, at)
-                name = header[at + 2 : at + 2 + length].decode("utf-8", errors="replace")
-                at += 2 + length
-                ndim, dtype, offset = struct.unpack_from("<HBQ", header, at)
-                _files.require(
-                    ndim <= 8 and dtype in DTYPES,
-                    f"{path}: field {name[:40]!r} has {ndim} dimensions of type {dtype}",
-                    "The file is damaged",
-                )
-                shape = struct.unpack_from(f"<{ndim}Q", header, at + 11)
-                at += 11 + 8 * ndim
-                self.table[name] = (DTYPES[dtype], offset, shape)
-        except struct.error:
-            raise FormatError(
-                f"{path} is truncated: its table of fields ends at byte {len(header)}", "Fetch the file again"
-            ) from None
-
-    def array(self, name: str, ndim: int) -> NDArray[np.float64]:
-        if name not in self.table:
-            raise FormatError(
-                f"{self.path} has no field {name!r}, only {', '.join(self.table)[:200]}",
-                "This tensor file is not a measured BSDF",
-            )
-        dtype, offset, shape = self.table[name]
-        if len(shape) != ndim or _files.product(shape) == 0:
-            raise FormatError(
-                f"{self.path}: field {name!r} has shape {shape}, not {ndim} dimensions of at least 1",
-                "The file is damaged",
-            )
-        count = _files.product(shape)
-        return (
-            _files.binary(self.path, dtype, count, offset, f"field {name!r} {shape}").reshape(shape).astype(np.float64)
-        )
-
-    def string(self, name: str) -> str:
-        if name not in self.table or self.table[name][0] != "u1":
-            return ""
-        _, offset, shape = self.table[name]
-        return (
-            bytes(_files.binary(self.path, "u1", min(_files.product(shape), 4096), offset, name))
-            .decode("utf-8", errors="replace")
-            .strip()
-        )

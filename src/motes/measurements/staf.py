@@ -21,7 +21,9 @@ FILE = re.compile(rf"({'|'.join(NAMES)})-(\d)\.exr", re.IGNORECASE)
 
 
 def sniff(path: Path, head: bytes) -> bool:
-    return path.is_dir() and bool(_coefficients(path))
+    if path.is_dir():
+        return bool(_coefficients(path))
+    return head.startswith(_exr.MAGIC) and FILE.fullmatch(path.name) is not None
 
 
 def read(path: Path) -> ParameterMaps:
@@ -47,15 +49,23 @@ def read(path: Path) -> ParameterMaps:
     for (name, _), file in sorted(files.items()):
         picture = _exr.rgb(file, "reading STAF maps")
         first = first or picture.shape
-        _files.require(picture.shape == first, f"{file} is {picture.shape[:2]} and the maps before it {first[:2]}", "All have one size")
-        _files.require(bool(np.all(np.isfinite(picture))), f"{file} holds values that are not finite", "Fetch the file again")
+        _files.require(
+            picture.shape == first,
+            f"{file} is {picture.shape[:2]} and the maps before it {first[:2]}",
+            "All have one size",
+        )
+        _files.require(
+            bool(np.all(np.isfinite(picture))), f"{file} holds values that are not finite", "Fetch the file again"
+        )
         maps[name].append(picture)
     coefficients = {name: np.stack(maps[name]) for name in NAMES}
     for name in ("Specular", "Roughness"):
         c = coefficients[name]
         if np.array_equal(c[..., 0], c[..., 1]) and np.array_equal(c[..., 0], c[..., 2]):
             coefficients[name] = np.ascontiguousarray(c[..., :1])
-    _files.require(coefficients["Roughness"].shape[-1] == 1, f"{path}: Roughness has colours", "One sigma_s serves all channels")
+    _files.require(
+        coefficients["Roughness"].shape[-1] == 1, f"{path}: Roughness has colours", "One sigma_s serves all channels"
+    )
     return ParameterMaps(
         coefficients,
         provenance={
@@ -65,8 +75,8 @@ def read(path: Path) -> ParameterMaps:
             "source": SOURCE,
             "notes": [
                 "t = 0 to 1 is the time of the whole experiment; the polynomials are evaluated, then clamped at 0",
-                "read as f_r = Diffuse/pi + K_s rho_s, K_s = Specular/(pi R^2 (1 - exp(-1/R^2))), sigma_s = Roughness R in radians; whether the "
-                "source divides Diffuse by pi is not confirmed",
+                "read as f_r = Diffuse/pi + K_s rho_s, K_s = Specular/(pi R^2 (1 - exp(-1/R^2))), sigma_s = R, "
+                "the Roughness in radians; whether the source divides Diffuse by pi is not confirmed",
                 "where Roughness is 0 or below, sigma_s and K_s are 0: no highlight",
             ],
         },

@@ -1,11 +1,12 @@
 """Plain CSV: ``theta_i,phi_i,theta_r,phi_r[,time],<channel>...``, a row a sample.
 
-The header is required.  Angles are in radians, or in degrees where the name ends in ``_deg``; theta may be negative, which is the opposite
-azimuth.  ``theta_o, phi_o`` mean the same as ``theta_r, phi_r``.  ``phi_i`` may be missing and is then 0, since an isotropic surface knows the
-difference of the azimuths only; ``phi_r`` is required.  ``time`` is in hours, ``time_s``, ``time_min``, ``time_h``, ``time_d`` say otherwise.
-``weight`` is the solid angle that a sample stands for.  Every other column is a channel of f_r [1/sr]; where all are named by numbers (``400``,
-``400nm``, ``400 nm``) these are wavelengths.  An empty cell is a value that was not measured.  ``#`` starts a comment; commas, semicolons or tabs
-separate.
+The header is required.  Angles are in radians, or in degrees where the name ends in ``_deg``; theta may be negative,
+which is the opposite azimuth.  ``theta_o, phi_o`` mean the same as ``theta_r, phi_r``.  ``phi_i`` may be missing and is
+then 0, since an isotropic surface knows the difference of the azimuths only; ``phi_r`` is required.  ``time`` is in
+hours, ``time_s``, ``time_min``, ``time_h``, ``time_d`` say otherwise. ``weight`` is the solid angle that a sample
+stands for.  Every other column is a channel of f_r [1/sr]; where all are named by numbers (``400``, ``400nm``, ``400
+nm``) these are wavelengths.  An empty cell is a value that was not measured.  ``#`` starts a comment; commas,
+semicolons or tabs separate.
 """
 
 from __future__ import annotations
@@ -24,7 +25,14 @@ from motes.measurements.measurement import Measurement
 NAME = "csv"
 SOURCE = "a table of the user's"
 TIMES = {"time": 1.0, "time_h": 1.0, "time_s": 1 / 3600, "time_min": 1 / 60, "time_d": 24.0}
-ANGLES = {"theta_i": "theta_i", "phi_i": "phi_i", "theta_r": "theta_r", "phi_r": "phi_r", "theta_o": "theta_r", "phi_o": "phi_r"}
+ANGLES = {
+    "theta_i": "theta_i",
+    "phi_i": "phi_i",
+    "theta_r": "theta_r",
+    "phi_r": "phi_r",
+    "theta_o": "theta_r",
+    "phi_o": "phi_r",
+}
 WAVELENGTH = re.compile(r"(\d+(?:\.\d+)?)\s*(?:nm)?", re.IGNORECASE)
 LARGEST_ANGLE = 2 * np.pi + 1e-6
 MOST_CHANNELS = 10_000
@@ -43,25 +51,21 @@ def sniff(path: Path, head: bytes) -> bool:
 
 def read(path: Path) -> Measurement:
     """The table as a measurement; rows of one time make a scan."""
-    lines = ((number, line.partition("#")[0].strip()) for number, line in enumerate(_files.text(path).splitlines(), 1))
-    lines = [(number, line) for number, line in lines if line]
+    numbered = ((n, line.partition("#")[0].strip()) for n, line in enumerate(_files.text(path).splitlines(), 1))
+    lines = [(n, line) for n, line in numbered if line]
     if len(lines) < 2:
         raise FormatError(f"{path} has {len(lines)} lines that are no comments", "It needs a header and a row a sample")
     separator = _separator(lines[0][1])
     header = _cells(lines[0][1], separator)
     angles, time, weight, channels = _columns(path, header)
-    rows = np.empty((len(lines) - 1, len(header)))
-    for row, (number, line) in zip(rows, lines[1:], strict=True):
-        cells = _cells(line, separator)
-        _files.require(
-            len(cells) == len(header), f"{path}, line {number} has {len(cells)} cells; the header has {len(header)}", "Rows match the header"
-        )
-        row[:] = _files.numbers([c or "nan" for c in cells], f"{path}, line {number}")
+    rows = _rows(path, lines[1:], separator, len(header))
     line_of = [number for number, _ in lines[1:]]
     for column in (*angles.values(), *time, *weight):
         bad = ~np.isfinite(rows[:, column])
         if bad.any():
-            raise FormatError(f"{path}, line {line_of[int(np.argmax(bad))]}: {header[column]} is missing or not finite", "Fill it in")
+            raise FormatError(
+                f"{path}, line {line_of[int(np.argmax(bad))]}: {header[column]} is missing or not finite", "Fill it in"
+            )
 
     def angle(name: str) -> NDArray[np.float64]:
         if name not in angles:
@@ -74,7 +78,9 @@ def read(path: Path) -> Measurement:
             i = int(np.argmax(bad))
             raise FormatError(
                 f"{path}, line {line_of[i]}: {label} = {rows[i, angles[name]]:g} is outside +-2 pi rad (+-360 degrees)",
-                f"Angles are in radians; name the column {label}_deg for degrees" if not label.lower().endswith("_deg") else "Check the row",
+                f"Angles are in radians; name the column {label}_deg for degrees"
+                if not label.lower().endswith("_deg")
+                else "Check the row",
             )
         return values
 
@@ -83,7 +89,8 @@ def read(path: Path) -> Measurement:
     values = rows[:, channels]
     stamps = rows[:, time[0]] * TIMES[header[time[0]].lower()] if time else np.zeros(len(rows))
     times, scan = np.unique(stamps, return_inverse=True)
-    members = [np.flatnonzero(scan.reshape(-1) == t) for t in range(len(times))] if len(times) > 1 else [np.arange(len(rows))]
+    scan = scan.reshape(-1)
+    members = np.split(np.argsort(scan, kind="stable"), np.cumsum(np.bincount(scan))[:-1])
     union, indices = _scans.union([np.concatenate([wi[m], wo[m]], axis=1) for m in members])
     spread, present = _scans.spread(len(union), indices, [values[m] for m in members], len(channels), str(path))
     weights = np.ones(len(union))
@@ -118,6 +125,25 @@ def _cells(line: str, separator: str) -> list[str]:
     return [cell.strip().strip('"') for cell in line.split(separator)]
 
 
+def _rows(path: Path, lines: list[tuple[int, str]], separator: str, n_columns: int) -> NDArray[np.float64]:
+    """The numbers of all lines, NaN in empty cells."""
+    cells: list[str] = []
+    for number, line in lines:
+        row = _cells(line, separator)
+        _files.require(
+            len(row) == n_columns,
+            f"{path}, line {number} has {len(row)} cells; the header has {n_columns}",
+            "Rows match the header",
+        )
+        cells += [cell or "nan" for cell in row]
+    try:
+        return np.array(cells, np.float64).reshape(-1, n_columns)
+    except ValueError:
+        for i, (number, _) in enumerate(lines):  # find the line, for the message
+            _files.numbers(cells[i * n_columns : (i + 1) * n_columns], f"{path}, line {number}")
+        raise
+
+
 def _columns(path: Path, header: list[str]) -> tuple[dict[str, int], list[int], list[int], list[int]]:
     """Where the angles, the time, the weight and the channels are."""
     angles: dict[str, int] = {}
@@ -137,10 +163,15 @@ def _columns(path: Path, header: list[str]) -> tuple[dict[str, int], list[int], 
     missing = [name for name in ("theta_i", "theta_r", "phi_r") if name not in angles]
     if missing:
         raise FormatError(
-            f"{path} has no column {', '.join(missing)}; it has {', '.join(header)[:200]}", "Columns: theta_i,phi_i,theta_r,phi_r,<channel>..."
+            f"{path} has no column {', '.join(missing)}; it has {', '.join(header)[:200]}",
+            "Columns: theta_i,phi_i,theta_r,phi_r,<channel>...",
         )
-    _files.require(len(time) <= 1 and len(weight) <= 1, f"{path} has several columns of time or weight", "Keep one of each")
+    _files.require(
+        len(time) <= 1 and len(weight) <= 1, f"{path} has several columns of time or weight", "Keep one of each"
+    )
     names = [header[c] for c in channels]
     if not 1 <= len(names) <= MOST_CHANNELS or len(set(names)) != len(names) or "" in names:
-        raise FormatError(f"{path} has {len(names)} channels, or some without a name of their own", "Name one column of f_r a channel")
+        raise FormatError(
+            f"{path} has {len(names)} channels, or some without a name of their own", "Name one column of f_r a channel"
+        )
     return angles, time, weight, channels

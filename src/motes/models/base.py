@@ -160,10 +160,11 @@ class BRDF(Parametrised, ABC):
         array (..., C)
         """
         wi, _, xp = self._prepared(wi, wi)
-        if xp is NUMPY and wi.size > 3 * 256:  # a bounded number of pairs at a time
-            flat = wi.reshape(-1, 3)
-            parts = [self.directional_albedo(flat[k : k + 256], nodes=nodes) for k in range(0, len(flat), 256)]
-            return np.concatenate(parts).reshape(*wi.shape[:-1], -1)
+        shape = np.broadcast_shapes(tuple(wi.shape[:-1]), *self._leading())
+        if xp is NUMPY and np.prod(shape) > 256:  # a bounded number of pairs at a time
+            flat = np.broadcast_to(wi, (*shape, 3)).reshape(-1, 3)
+            parts = [self._at(shape, k, k + 256).directional_albedo(flat[k : k + 256], nodes=nodes) for k in range(0, len(flat), 256)]
+            return np.concatenate(parts).reshape(*shape, -1)
         polar, weights = np.polynomial.legendre.leggauss(nodes[0])
         grid = np.stack(np.meshgrid(0.5 * (polar + 1), (np.arange(nodes[1]) + 0.5) / nodes[1], indexing="ij"), -1).reshape(-1, 2)
         grid_weights = np.repeat(0.5 * weights / nodes[1], nodes[1])
@@ -232,15 +233,41 @@ class BRDF(Parametrised, ABC):
         prepared = []
         for x, n, what in ((a, last[0], "directions"), (b, last[1], "directions" if last[1] == 3 else "random numbers")):
             if not is_foreign(x):
-                x = np.asarray(x)
-                if x.dtype not in (np.float32, np.float64):
-                    x = x.astype(np.float64)
+                try:
+                    x = np.asarray(x)
+                    if x.dtype not in (np.float32, np.float64):
+                        x = x.astype(np.float64)
+                except (TypeError, ValueError):
+                    raise DataError(f"{what} are not numbers: {str(x)[:80]}", f"Pass arrays (..., {n})") from None
                 if foreign is not None:
                     x = _like(x, foreign)
             if len(x.shape) == 0 or x.shape[-1] != n:
                 raise DataError(f"{what} of shape {tuple(x.shape)}: the last axis must have length {n}", f"Pass arrays (..., {n})")
             prepared.append(x)
+        shapes = [tuple(x.shape[:-1]) for x in prepared] + self._leading()
+        try:
+            np.broadcast_shapes(*shapes)
+        except ValueError:
+            listed = ", ".join(str(shape) for shape in dict.fromkeys(shapes) if shape)
+            raise DataError(
+                f"{type(self).__name__}: shapes that do not broadcast: {listed}",
+                "All but the last axis of directions, random numbers and parameters must match, or be 1 or absent",
+            ) from None
         return prepared[0], prepared[1], xp
+
+    def _leading(self) -> list[tuple[int, ...]]:
+        """The shapes of the parameters without their channels: what must broadcast against the directions."""
+        shapes = [(tuple(getattr(s.value, "shape", ())), s.parameter.per_channel) for s in self.slots()]
+        return [shape[:-1] if per_channel else shape for shape, per_channel in shapes]
+
+    def _at(self, shape: tuple[int, ...], start: int, stop: int) -> Self:
+        """A copy with the parameters of the directions `start` to `stop` in the flattened `shape`."""
+        changes = {}
+        for slot, leading in zip(self.slots(), self._leading(), strict=True):
+            if leading:
+                last = slot.value.shape[len(leading) :]
+                changes[slot.path] = np.broadcast_to(slot.value, (*shape, *last)).reshape(-1, *last)[start:stop]
+        return _unchecked(self, changes)
 
     def _lifted(self, xp: Array, like: Array, extra_axes: int = 0) -> Self:
         """A copy whose values broadcast against geometry of shape (..., 1): shared values get the channel axis, all the library and type.

@@ -7,6 +7,7 @@ never executed.
 from __future__ import annotations
 
 import ast
+import warnings
 from dataclasses import fields
 from typing import Any, NamedTuple
 
@@ -30,6 +31,7 @@ MODELS: dict[str, type[Parametrised]] = {
 FRESNEL: dict[str, type[Parametrised]] = {"dielectric": Dielectric, "conductor": Conductor, "schlick": Schlick}
 _NAMES = {cls: name for name, cls in (MODELS | FRESNEL).items()}
 _EXAMPLE = "Write for example 'oren_nayar + torrance_sparrow', or 'dust_layer(oren_nayar)'; the models are " + ", ".join(MODELS)
+_MOST_PARTS = 64
 
 
 class Parsed(NamedTuple):
@@ -52,14 +54,21 @@ def parse(text: str) -> Parsed:
     >>> parse("oren_nayar(sigma_d=0.3) + torrance_sparrow").fixed
     frozenset({'sigma_d'})
     """
-    try:
-        tree = ast.parse(text.strip(), mode="eval").body
-    except (SyntaxError, ValueError, MemoryError, RecursionError):
-        raise ParameterError(f"model {text!r} is not a sum of models", _EXAMPLE) from None
+    shown = repr(text if len(text) <= 200 else f"{text[:197]}...")
     fixed: set[tuple[str, ...]] = set()
-    model = _build(tree, (), fixed)
+    try:
+        with warnings.catch_warnings():  # about odd escapes and numbers, which are refused below
+            warnings.simplefilter("ignore")
+            tree = ast.parse(text.strip(), mode="eval").body
+        if sum(isinstance(node, ast.Name) for node in ast.walk(tree)) > _MOST_PARTS:
+            raise ParameterError(f"model {shown} has more than {_MOST_PARTS} parts", _EXAMPLE)
+        model = _build(tree, (), fixed)
+    except ParameterError:
+        raise
+    except (SyntaxError, ValueError, MemoryError, RecursionError):  # ValueError: a NUL, or a number of thousands of digits
+        raise ParameterError(f"model {shown} is not a sum of models", _EXAMPLE) from None
     if not isinstance(model, BRDF):
-        raise ParameterError(f"model {text!r} is a Fresnel term, not a BRDF", "Use it as torrance_sparrow(fresnel=...)")
+        raise ParameterError(f"model {shown} is a Fresnel term, not a BRDF", "Use it as torrance_sparrow(fresnel=...)")
     return Parsed(model, frozenset(slot.name for slot in model.slots() if slot.path in fixed))
 
 
@@ -104,7 +113,8 @@ def _value(node: ast.AST, declared: Any, path: tuple[str, ...], fixed: set[tuple
 def describe(model: Parametrised, *, values: bool = False) -> str:
     """The text that `parse` turns back into `model`: without values for its form alone, with values for all of it."""
     if isinstance(model, Sum):
-        return f"{describe(model.a, values=values)} + {describe(model.b, values=values)}"
+        a, b = describe(model.a, values=values), describe(model.b, values=values)
+        return f"{a} + ({b})" if isinstance(model.b, Sum) else f"{a} + {b}"
     parts = []
     for f in fields(model):
         value = getattr(model, f.name)

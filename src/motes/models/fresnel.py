@@ -47,7 +47,7 @@ class Conductor(Fresnel):
     """Metals: a complex refractive index n + ik; exact."""
 
     n: Array = parameter(
-        1.0, bounds=(0, 20), fit_bounds=(0.05, 10), starts=(0.3, 2.0), symbol="n", doc="real part of the refractive index", per_channel=True, shared_in_fit=True
+        1.0, bounds=(0.01, 20), fit_bounds=(0.05, 10), starts=(0.3, 2.0), symbol="n", doc="real part of the refractive index", per_channel=True, shared_in_fit=True
     )
     k: Array = parameter(
         3.0, bounds=(0, 30), fit_bounds=(0, 15), starts=(1.5, 5.0), symbol="k", doc="extinction coefficient", per_channel=True, shared_in_fit=True

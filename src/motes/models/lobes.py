@@ -88,7 +88,8 @@ class PhaseLobe:
         a, b = sin_gamma * xp.cos(azimuth), sin_gamma * xp.sin(azimuth)
         # A frame about -wi, for light going straight on (Duff et al. 2017, JCGT 6(1)).
         n = Vector(-wi[..., 0], -wi[..., 1], -wi[..., 2])
-        sign = xp.where(n.z >= 0, 1.0, -1.0)
+        one = 0 * n.z + 1  # in the type of wi
+        sign = xp.where(n.z >= 0, one, -one)
         q = -1 / (sign + n.z)
         r = n.x * n.y * q
         x = a * (1 + sign * n.x * n.x * q) + b * r + cos_gamma * n.x

@@ -7,6 +7,7 @@ from typing import final
 
 from motes.arrays import Array
 from motes.directions import Geometry
+from motes.errors import ParameterError
 from motes.models.base import BRDF, Component
 
 
@@ -17,6 +18,12 @@ class Sum(BRDF):
 
     a: BRDF
     b: BRDF
+
+    def __post_init__(self) -> None:
+        for part in (self.a, self.b):
+            if not isinstance(part, BRDF):
+                raise ParameterError(f"Sum: {part!r} is not a BRDF", "A Fresnel term goes inside: TorranceSparrow(fresnel=...)")
+        super().__post_init__()
 
     @property
     def reciprocal(self) -> bool:  # type: ignore[override]

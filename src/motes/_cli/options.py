@@ -1,0 +1,72 @@
+"""Options that the commands share, and how their values are read."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Annotated, Any
+
+from cyclopts import Parameter
+
+from motes.errors import MotesError
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class Common:
+    """How a command talks."""
+
+    json: Annotated[bool, Parameter(negative="")] = False
+    """Print one JSON object and nothing else to standard output."""
+
+    quiet: Annotated[bool, Parameter(negative="")] = False
+    """Print nothing but errors and warnings."""
+
+    debug: Annotated[bool, Parameter(negative="")] = False
+    """Show the traceback of an error (so does MOTES_DEBUG=1)."""
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class Reading:
+    """How data are read."""
+
+    sample: Annotated[str | None, Parameter(name=["--sample", "-s"])] = None
+    """Which sample of a container."""
+
+    read: Annotated[tuple[str, ...], Parameter(negative="")] = ()
+    """NAME=VALUE: an option of the reader: format=csv; times=0,0.5,1 (hours) and irradiance=2 (TVBRDF folders); resolution=32 (RGL). Repeat for more."""
+
+    def options(self) -> dict[str, Any]:
+        """The keyword arguments of `motes.read`."""
+        return {"sample": self.sample, **dict(assignment(text, "--read") for text in self.read)}
+
+
+def _whole(type_: Any, tokens: Sequence[Any]) -> int:
+    try:
+        return int(tokens[0].value)
+    except ValueError:
+        raise ValueError(f"{tokens[0].value!r} is not a whole number") from None
+
+
+#: int() without rounding: 1.5 scans are an error.
+Whole = Annotated[int, Parameter(converter=_whole)]
+
+
+def assignment(text: str, option: str) -> tuple[str, Any]:
+    """``K_s=0.3``, ``K_d=0.7,0.6,0.5`` or ``format=csv`` as a name and a number, a list of numbers or a text."""
+    name, equals, value = (part.strip() for part in text.partition("="))
+    if not equals or not name or not value:
+        raise MotesError(f"{option} {text!r} is not NAME=VALUE", f"Write {option} name=0.3, or {option} name=0.7,0.6,0.5")
+    try:
+        number = ast.literal_eval(value)
+        return name, [float(x) for x in number] if isinstance(number, (tuple, list)) else _number(number)
+    except (ValueError, TypeError, SyntaxError, MemoryError, RecursionError):
+        return name, value
+
+
+def _number(value: Any) -> float | int:
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        raise ValueError("not a number")
+    return value

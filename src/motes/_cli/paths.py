@@ -1,0 +1,87 @@
+"""Paths that users give: what is not there, and where results go."""
+
+from __future__ import annotations
+
+import difflib
+import os
+import re
+import shutil
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from motes.errors import MotesError
+
+LONGEST_NAME = 60
+
+
+def existing(path: str) -> Path:
+    """`path`, which must exist; the error suggests close names."""
+    given = Path(path)
+    try:
+        if given.exists():
+            return given
+    except (OSError, ValueError) as error:  # a name too long, a null byte
+        raise MotesError(f"{path[:200]!r} is not a path: {error}", "Give the path of a file or folder") from None
+    parent = given.parent
+    while not parent.is_dir():
+        given, parent = parent, parent.parent
+    names = [entry.name for entry in parent.iterdir()]
+    close = difflib.get_close_matches(given.name, names, n=3, cutoff=0.5)
+    hint = f"Did you mean {' or '.join(str(parent / name) for name in close)}?" if close else f"The folder {parent} exists; look there"
+    raise MotesError(f"{path} does not exist", hint)
+
+
+def material_at(path: Path) -> Path | None:
+    """The file of the material at a path, where it holds one: a JSON file, or the folder that ``motes fit`` wrote."""
+    file = path / "material.json" if path.is_dir() else path
+    return file if file.suffix.lower() == ".json" and file.is_file() else None
+
+
+def slug(name: str) -> str:
+    """A name as part of a file name: letters, digits, dot, dash and underscore."""
+    return re.sub(r"[^\w.-]+", "-", name, flags=re.ASCII).strip("-.")[:LONGEST_NAME] or "material"
+
+
+@contextmanager
+def results(folder: Path) -> Iterator[Path]:
+    """A folder beside the final place in which to write results; they move into `folder` together when the block ends well.
+
+    The folder is made and tried on entry, before any work is done for it.  When the block fails, everything made here is gone again, and
+    what `folder` held before is untouched.
+
+    Raises
+    ------
+    MotesError
+        When the folder cannot be made or written.
+    """
+    made: list[Path] = []
+    try:
+        missing = folder
+        while not missing.exists() and missing != missing.parent:
+            made.append(missing)
+            missing = missing.parent
+        folder.mkdir(parents=True, exist_ok=True)
+        staging = Path(tempfile.mkdtemp(prefix=".motes-", suffix=".partial", dir=folder))
+    except (OSError, ValueError) as error:
+        _remove_empty(made)
+        reason = getattr(error, "strerror", None) or str(error)
+        raise MotesError(f"results cannot be written to {folder}: {reason}", "Choose another folder with -o") from error
+    try:
+        yield staging
+        for file in sorted(staging.iterdir()):
+            os.replace(file, folder / file.name)
+    except BaseException:
+        shutil.rmtree(staging, ignore_errors=True)
+        _remove_empty(made)
+        raise
+    staging.rmdir()
+
+
+def _remove_empty(folders: list[Path]) -> None:
+    for folder in folders:
+        try:
+            folder.rmdir()
+        except OSError:
+            return

@@ -1,0 +1,95 @@
+"""``motes simulate``: a material measured by the simulated rig."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated, Any
+
+from cyclopts import Parameter
+
+from motes._cli.options import Common, Whole
+
+if TYPE_CHECKING:
+    from motes.ageing.rig import Surface
+
+
+def simulate(
+    folder: str,
+    /,
+    *,
+    material: str | None = None,
+    model: Annotated[str | None, Parameter(name=["--model", "-m"])] = None,
+    scans: Whole = 12,
+    hours: float = 6.0,
+    noise: float = 0.02,
+    seed: Whole = 0,
+    step_deg: float = 0.5,
+    irradiance: float = 1.0,
+    common: Common = Common(),  # noqa: B008 (an immutable value)
+) -> int:
+    """Measure a material with a simulated rig of four cameras and a lamp on an arm.
+
+    Writes the folder format of the TVBRDF database (radiance at three exposures merged into one, blue first). Without --material or
+    --model the surface is a dusty plaster that dries.
+
+    Parameters
+    ----------
+    folder
+        To write; motes fit reads it.
+    material
+        A material.json that motes fit wrote.
+    model
+        A model with values, such as "oren_nayar(K_d=(0.7,0.6,0.5), sigma_d=0.4) + torrance_sparrow(K_s=0.3)"; what is not given has its default.
+    scans
+        How many scans.
+    hours
+        The time of the last scan; the first is at 0.
+    noise
+        Relative standard deviation of each radiance; 0 also turns off the camera's read noise.
+    seed
+        Of the noise.
+    step_deg
+        Between two positions of the lamp, in degrees.
+    irradiance
+        Of the lamp.
+    """
+    from motes._cli import console
+    from motes.ageing import Rig
+    from motes.ageing import simulate as measure
+
+    surface, name, process = _surface(material, model)
+    rig = Rig(step_deg=step_deg, irradiance=irradiance)
+    with console.progress(common, "simulating") as step:
+        measure(folder, surface, scans=scans, hours=hours, noise=noise, seed=seed, rig=rig, name=name, process=process, progress=step)
+    records = scans * len(rig.wi) * len(rig.wo)
+    if common.json:
+        facts: dict[str, Any] = {"folder": folder, "name": name, "scans": scans, "cameras": len(rig.wo), "records": records, "noise": noise, "seed": seed}
+        console.print_json(facts)
+    elif not common.quiet:
+        rows = [
+            ("surface", name),
+            ("written", f"{folder}/: {scans} scan(s) over {hours:g} h, {len(rig.wo)} cameras, {records} records"),
+            ("next", f"motes fit {folder}"),
+        ]
+        console.print_facts(rows)
+    return 0
+
+
+def _surface(material: str | None, model: str | None) -> tuple[Surface, str, str]:
+    """What is measured, its name, and the process it goes through."""
+    from motes._cli.paths import existing
+    from motes.errors import MotesError
+
+    if material is not None and model is not None:
+        raise MotesError("both --material and --model were given", "Give one of them")
+    if material is not None:
+        from motes.material import load
+
+        loaded = load(existing(material))
+        return loaded, loaded.name, "unchanged"
+    if model is not None:
+        from motes.models import parse
+
+        return parse(model).model, model, "unchanged"
+    from motes.ageing import drying_plaster
+
+    return drying_plaster, "dusty plaster", "drying"

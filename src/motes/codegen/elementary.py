@@ -1,0 +1,167 @@
+"""exp, expm1 and asin as straight-line polynomials that LLVM vectorises; it calls libm, one number at a time, for the usual ones.
+
+The coefficients are minimax, printed by ``tools/minimax.py``.  Errors over the whole domain, measured against 40-digit arithmetic by
+``tests/test_codegen_elementary.py``, in units of the last place of the result:
+
+=========  =======  =======  ============================================================================
+function   float32  float64  edges
+=========  =======  =======  ============================================================================
+exp        1.5      1.5      below 2^-125.5 (2^-1021.5) flushed to 0; overflows to inf where it should
+expm1      2.5      2.5      -1 at the far left; its sign of zero is not kept
+asin       2.5      2.5      NaN outside [-1, 1]
+=========  =======  =======  ============================================================================
+
+NaN in, NaN out.  exp and expm1 share their reduction x = k ln(2) + r and polynomial, so a compiler does it once when it meets both:
+with s = 2^(k-1) and p = exp(r) - 1, exp(x) = 2 (s p + s) and expm1(x) = 2 (s p + (s - 1/2)).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Precision:
+    """The numbers that differ between float32 and float64.
+
+    Attributes
+    ----------
+    name
+        Of the NumPy type.
+    shift
+        1.5 * 2^(bits of the fraction): adding it rounds to an integer, which then sits in the low bits.
+    fraction, bias
+        Bits of the fraction, and what to add to an exponent.
+    lowest, highest
+        exp(x) is 0 and infinite there.
+    ln2
+        ln(2) as two numbers, the first with enough trailing zeros that k times it is exact.
+    exp, asin
+        Coefficients, lowest first.
+    """
+
+    name: str
+    shift: float
+    fraction: int
+    bias: int
+    lowest: float
+    highest: float
+    ln2: tuple[float, float]
+    exp: tuple[float, ...]
+    asin: tuple[float, ...]
+
+
+FLOAT32 = Precision(
+    name="float32",
+    shift=12582912.0,
+    fraction=23,
+    bias=127,
+    lowest=-87.5,
+    highest=89.0,
+    ln2=(0.69311523, 3.1946183e-05),
+    exp=(0.49999997, 0.16666543, 0.0416672, 0.008366514, 0.0013882522),
+    asin=(0.16666906, 0.07488484, 0.046502333, 0.016388448, 0.07697573, -0.09262575, 0.11132111),
+)
+FLOAT64 = Precision(
+    name="float64",
+    shift=6755399441055744.0,
+    fraction=52,
+    bias=1023,
+    lowest=-708.5,
+    highest=710.0,
+    ln2=(0.6931471803691238, 1.9082149292705877e-10),
+    exp=(
+        0.5000000000000006,
+        0.16666666666666588,
+        0.041666666666576826,
+        0.008333333333389509,
+        0.0013888888931539432,
+        0.00019841269719078869,
+        2.4801505306416086e-05,
+        2.7557407508317533e-06,
+        2.7626024212806105e-07,
+        2.5053774381819548e-08,
+    ),
+    asin=(
+        0.1666666666666523,
+        0.07500000000408744,
+        0.04464285673369727,
+        0.0303819653020441,
+        0.022371521614163302,
+        0.01736557005447978,
+        0.013785740586215532,
+        0.013363455201920007,
+        -0.0038303994904661885,
+        0.08524625846578622,
+        -0.32300918605382234,
+        1.087176118875537,
+        -2.6698925796142263,
+        4.941615831474354,
+        -6.588154615125704,
+        6.049000744889667,
+        -3.4220721871174367,
+        0.9215118736481213,
+    ),
+)
+PRECISIONS = {"float32": FLOAT32, "float64": FLOAT64}
+
+_TEMPLATE = '''
+@part
+def exp_parts(x):
+    """2^(k-1) and exp(r) - 1, where x = k ln(2) + r."""
+    x = select(x < F({lowest!r}), F({lowest!r}), x)
+    x = select(x > F({highest!r}), F({highest!r}), x)
+    shifted = x * F(1.4426950408889634) + F({shift!r})
+    k = shifted - F({shift!r})
+    r = (x - k * F({ln2[0]!r})) - k * F({ln2[1]!r})
+    s = float_of((bits_of(shifted) + I({exponent})) << I({fraction}))
+    p = {exp}
+    return s, p * (r * r) + r
+
+
+@part
+def exp(x):
+    s, p = exp_parts(x)
+    return F(2.0) * (s * p + s)
+
+
+@part
+def expm1(x):
+    s, p = exp_parts(x)
+    return F(2.0) * (s * p + (s - F(0.5)))
+
+
+@part
+def asin(x):
+    """By asin(x) = pi/2 - asin(sqrt(1 - x^2)) where x > sin(pi/4)."""
+    a = select(x < F(0.0), -x, x)
+    far = a > F(0.70715)
+    b = select(far, math.sqrt((F(1.0) - a) * (F(1.0) + a)), a)
+    z = b * b
+    p = {asin}
+    y = p * (z * b) + b
+    y = select(far, F(1.5707963267948966) - y, y)
+    return select(x < F(0.0), -y, y)
+'''
+
+
+def horner(coefficients: tuple[float, ...], x: str) -> str:
+    """A polynomial, nested."""
+    text = f"F({coefficients[-1]!r})"
+    for c in coefficients[-2::-1]:
+        text = f"({text} * {x} + F({c!r}))"
+    return text
+
+
+def source(precision: Precision) -> str:
+    """Numba source of the functions; it needs the names F and I (scalar types), `part` (a decorator), `math` and the intrinsics."""
+    return _TEMPLATE.format(
+        lowest=precision.lowest,
+        highest=precision.highest,
+        shift=precision.shift,
+        ln2=precision.ln2,
+        exponent=precision.bias - 1,
+        fraction=precision.fraction,
+        exp=horner(precision.exp, "r"),
+        asin=horner(precision.asin, "z"),
+    )

@@ -1,0 +1,296 @@
+"""Printing a traced model as a Numba module: the kernels of `motes.engine`.
+
+A module holds the elementary functions it needs, ``span`` (the formula, over a run of directions that lie one after the other in
+memory) and a driver that cuts a range of directions into tiles and brings each into that form.  What depends on uniform
+parameters alone is not in it: the engine computes these *constants* in float64 and hands them over.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+
+from motes import tracing
+from motes.codegen import elementary
+from motes.codegen.printer import ARITHMETIC, Target, statements
+from motes.tracing import DIRECTIONS, PARAMETERS, Symbol, Trace, TracedParameter
+
+TILE = 1024  # directions; their components and results fit the level-1 cache together with what is spilled
+
+# In minimum and maximum a NaN wins, as in NumPy: the comparison with it is false, or it is the first operand and chosen for that.
+_TEMPLATES = ARITHMETIC | {
+    "sqrt": "sqrt({0})",
+    "exp": "exp({0})",
+    "expm1": "expm1({0})",
+    "asin": "asin({0})",
+    "minimum": "minimum({0}, {1})",
+    "maximum": "maximum({0}, {1})",
+    "where": "select({0}, {1}, {2})",
+}
+
+_HEADER = '''"""{title}"""
+
+import math
+
+import numba
+import numpy as np
+from motes.codegen.intrinsics import add_in_any_order, bits_of, float_of, load, select, store
+
+F, I = np.{scalar}, np.{integer}
+ITEM, TILE = {item}, {tile}
+sqrt = math.sqrt
+# Without nnan and ninf: NaN is to stay NaN.  Without reassoc: range reduction and short sums of long terms depend on their order.
+options = dict(error_model="numpy", fastmath={{"nsz", "arcp", "contract"}})
+part = numba.njit(**options)
+
+
+@part
+def minimum(a, b):
+    return select((a < b) | (a != a), a, b)
+
+
+@part
+def maximum(a, b):
+    return select((a > b) | (a != a), a, b)
+
+'''
+
+_COLUMNS = '''
+@part
+def gather(lanes, source, step, stride, scratch, count):
+    """`lanes` rows one after the other in memory, from any layout: item k of entry n is source[n * step + k * stride]."""
+    if lanes == 3 and step == 3 and stride == 1:
+        for n in range(count):
+            store(F, scratch, n, load(F, source, 3 * n, "gather", 3), "gather", 0, 3)
+            store(F, scratch, TILE + n, load(F, source, 3 * n + 1, "gather", 3), "gather", 1, 3)
+            store(F, scratch, 2 * TILE + n, load(F, source, 3 * n + 2, "gather", 3), "gather", 2, 3)
+    else:
+        for k in range(lanes):
+            for n in range(count):
+                store(F, scratch, k * TILE + n, load(F, source, n * step + k * stride, "gather", 3), "gather", 0, 3)
+
+
+@part
+def scatter(lanes, scratch, target, step, stride, count):
+    """The reverse of `gather`."""
+    if lanes == 3 and step == 3 and stride == 1:
+        for n in range(count):
+            store(F, target, 3 * n, load(F, scratch, n, "scatter", 3), "scatter", 0, 3)
+            store(F, target, 3 * n + 1, load(F, scratch, TILE + n, "scatter", 3), "scatter", 1, 3)
+            store(F, target, 3 * n + 2, load(F, scratch, 2 * TILE + n, "scatter", 3), "scatter", 2, 3)
+    else:
+        for k in range(lanes):
+            for n in range(count):
+                store(F, target, n * step + k * stride, load(F, scratch, k * TILE + n, "scatter", 3), "scatter", 0, 3)
+
+'''
+
+# Addresses are integers; a direction array is an address, the step from one direction to the next and the stride between components, in
+# items.  Rows of `varying` and `slopes` are `row` items apart.
+_EVALUATE = '''
+@numba.njit("void({signature})", cache=True, nogil=True, **options)
+def evaluate(wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, varying, row, out, out_step, out_stride, first, last):
+    scratch = np.empty({rows} * TILE, F)
+    room = scratch.ctypes.data
+    for start in range(first, last, TILE):
+        count = min(TILE, last - start)
+        i, i_row = wi + ITEM * wi_step * start, wi_stride
+        if wi_step != 1:
+            gather(3, i, wi_step, wi_stride, room, count)
+            i, i_row = room, TILE
+        o, o_row = wo + ITEM * wo_step * start, wo_stride
+        if wo_step != 1:
+            gather(3, o, wo_step, wo_stride, room + 3 * ITEM * TILE, count)
+            o, o_row = room + 3 * ITEM * TILE, TILE
+        f, f_row = out + ITEM * out_step * start, out_stride
+        if out_step != 1:
+            f, f_row = room + 6 * ITEM * TILE, TILE
+        span(i, i_row, o, o_row, constants, varying + ITEM * start, row, f, f_row, count)
+        if out_step != 1:
+            scatter({channels}, f, out + ITEM * out_step * start, out_step, out_stride, count)
+'''
+
+_GRADIENT = '''
+@numba.njit("void({signature})", cache=True, nogil=True, **options)
+def gradient(
+    wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, varying, row, seed, seed_step, seed_stride, slopes, totals, first, last
+):
+    scratch = np.empty({rows} * TILE, F)
+    room = scratch.ctypes.data
+    for start in range(first, last, TILE):
+        count = min(TILE, last - start)
+        i, i_row = wi + ITEM * wi_step * start, wi_stride
+        if wi_step != 1:
+            gather(3, i, wi_step, wi_stride, room, count)
+            i, i_row = room, TILE
+        o, o_row = wo + ITEM * wo_step * start, wo_stride
+        if wo_step != 1:
+            gather(3, o, wo_step, wo_stride, room + 3 * ITEM * TILE, count)
+            o, o_row = room + 3 * ITEM * TILE, TILE
+        f, f_row = seed + ITEM * seed_step * start, seed_stride
+        if seed_step != 1:
+            gather({channels}, f, seed_step, seed_stride, room + 6 * ITEM * TILE, count)
+            f, f_row = room + 6 * ITEM * TILE, TILE
+        span(i, i_row, o, o_row, constants, varying + ITEM * start, row, f, f_row, slopes + ITEM * start, totals, count)
+'''
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """The text of a module and what its driver wants.
+
+    Attributes
+    ----------
+    source
+        Of the module; its driver is called `driver`.
+    constants
+        Symbols that depend on uniform parameters alone, to be computed beforehand; the module reads them in this order.
+    varying
+        Parameters with a value for every direction, a row of memory each, in this order.
+    totals
+        Those of the constants, for a gradient, whose derivatives the driver adds up; others have none.
+    """
+
+    source: str
+    driver: str
+    constants: tuple[Symbol, ...]
+    varying: tuple[TracedParameter, ...]
+    totals: tuple[Symbol, ...] = ()
+
+
+def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
+    """The kernel that evaluates a model.
+
+    Parameters
+    ----------
+    trace
+        The model.
+    varying
+        Slots that have a value for every direction.
+    scalar
+        ``"float32"`` or ``"float64"``.
+    """
+    rows, bits = _dependence(trace, trace.outputs, varying)
+    constants = tracing.frontier(trace.outputs, bits, PARAMETERS)
+    loads, given = _given(trace, constants, rows, bits)
+    lines, results = statements(_target(), trace.outputs, given)
+    lanes = len(results)
+    body = [*_loads(trace, lanes, given, rows), *lines]
+    body += [f'store(F, f, {_row("f_row", c)}n, {result}, "span", {c}, {lanes})' for c, result in enumerate(results)]
+    span = _span("i, i_row, o, o_row, constants, varying, row, f, f_row, count", loads, body)
+    driver = _EVALUATE.format(signature=_signature(14), rows=6 + lanes, channels=lanes)
+    return Kernel(_module(trace, "Evaluates a reflectance model", scalar, span, driver), "evaluate", tuple(constants), tuple(rows))
+
+
+def gradient(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
+    """The kernel of the adjoint: sum over directions and channels of seed times value, differentiated.
+
+    Derivatives by the constants are added up in `scalar` over a tile and in float64 over tiles; derivatives by varying parameters are
+    stored for every direction.
+    """
+    graph = trace.graph
+    seeds = {output: graph.leaf(f"seed[{c}]") for c, output in enumerate(trace.outputs)}
+    if len(seeds) != len(trace.outputs):  # channels of equal value: their seeds act together
+        seeds = {}
+        for c, output in enumerate(trace.outputs):
+            seed = graph.leaf(f"seed[{c}]")
+            seeds[output] = seeds[output] + seed if output in seeds else seed
+    seed_leaves = [graph.leaf(f"seed[{c}]") for c in range(len(trace.outputs))]
+    rows, bits = _dependence(trace, trace.outputs, varying)
+    constants = tracing.frontier(trace.outputs, bits, PARAMETERS)
+    slopes = tracing.adjoint(seeds, [*constants, *(p.symbol for p in rows)])
+    totals = [symbol for symbol in constants if symbol in slopes]
+    wanted = [slopes[symbol] for symbol in totals]
+    stored = [slopes.get(p.symbol, graph.constant(0.0)) for p in rows]
+
+    leaves = trace.leaves() | {p.symbol: DIRECTIONS for p in rows} | dict.fromkeys(seed_leaves, DIRECTIONS)
+    bits = tracing.dependence([*wanted, *stored], leaves)
+    constants = tracing.frontier([*wanted, *stored], bits, PARAMETERS)
+    loads, given = _given(trace, constants, rows, bits)
+    given |= {leaf: f"seed{c}" for c, leaf in enumerate(seed_leaves)}
+    lines, results = statements(_target(), [*wanted, *stored], given)
+    lanes = max(1, len(rows))
+    body = [*_loads(trace, lanes, given, rows)]
+    body += [f'seed{c} = load(F, f, {_row("f_row", c)}n, "span", {lanes})' for c in range(len(seed_leaves))]
+    body += lines
+    body += [f"s{k} = add_in_any_order(s{k}, {result})" for k, result in enumerate(results[: len(wanted)])]
+    body += [
+        f'store(F, slopes, {_row("row", v)}n, {result}, "span", {v}, {lanes})' for v, result in enumerate(results[len(wanted) :])
+    ]
+    before = [*loads, *(f"s{k} = F(0.0)" for k in range(len(wanted)))]
+    after = [
+        f'store(np.float64, totals, {k}, load(np.float64, totals, {k}, "other", 1) + s{k}, "totals", 0, 1)' for k in range(len(wanted))
+    ]
+    span = _span("i, i_row, o, o_row, constants, varying, row, f, f_row, slopes, totals, count", before, body, after)
+    driver = _GRADIENT.format(signature=_signature(16), rows=6 + len(seed_leaves), channels=len(seed_leaves))
+    text = _module(trace, "Derivatives of a reflectance model", scalar, span, driver)
+    return Kernel(text, "gradient", tuple(constants), tuple(rows), tuple(totals))
+
+
+def functions(scalar: str) -> str:
+    """A module with the elementary functions alone, for tests and for looking at them."""
+    return _header("Elementary functions", scalar) + elementary.source(elementary.PRECISIONS[scalar])
+
+
+def _target() -> Target:
+    def constant(value: float | bool) -> str:
+        return repr(value) if isinstance(value, bool) else f"F({value!r})"
+
+    return Target(_TEMPLATES, constant)
+
+
+def _dependence(
+    trace: Trace, outputs: Sequence[Symbol], varying: Collection[str]
+) -> tuple[list[TracedParameter], dict[Symbol, int]]:
+    rows = [p for p in trace.parameters if p.slot in varying]
+    return rows, tracing.dependence(outputs, trace.leaves() | {p.symbol: DIRECTIONS for p in rows})
+
+
+def _row(name: str, k: int) -> str:
+    """The start of an index into row k of rows that are `name` items apart."""
+    return "" if k == 0 else f"{name} + " if k == 1 else f"{k} * {name} + "
+
+
+def _given(
+    trace: Trace, constants: Sequence[Symbol], rows: Sequence[TracedParameter], bits: dict[Symbol, int]
+) -> tuple[list[str], dict[Symbol, str]]:
+    """Statements that load the constants, and the names of everything a formula starts from."""
+    axes = [f"{w}{axis}" for w in "io" for axis in "xyz"]
+    given = dict(zip(trace.directions, axes, strict=True))
+    given |= {symbol: f"c{k}" for k, symbol in enumerate(constants)}
+    given |= {p.symbol: f"v{k}" for k, p in enumerate(rows)}
+    loads = []
+    for k, symbol in enumerate(constants):
+        truth = " != F(0.0)" if symbol.op in ("lt", "le", "gt", "ge") else ""
+        loads.append(f'c{k} = load(F, constants, {k}, "other", 1){truth}')
+    return loads, given
+
+
+def _loads(trace: Trace, lanes: int, given: dict[Symbol, str], rows: Sequence[TracedParameter]) -> list[str]:
+    """Statements that load one direction."""
+    lines = [
+        f'{given[symbol]} = load(F, {"io"[k // 3]}, {_row("io"[k // 3] + "_row", k % 3)}n, "span", {lanes})'
+        for k, symbol in enumerate(trace.directions)
+    ]
+    return lines + [f'v{k} = load(F, varying, {_row("row", k)}n, "span", {lanes})' for k in range(len(rows))]
+
+
+def _span(arguments: str, before: Sequence[str], body: Sequence[str], after: Sequence[str] = ()) -> str:
+    lines = [*before, "for n in range(count):", *("    " + line for line in body), *after]
+    return "\n\n@part\ndef span(" + arguments + "):\n    " + "\n    ".join(lines) + "\n\n"
+
+
+def _signature(count: int) -> str:
+    return ", ".join(["int64"] * count)
+
+
+def _header(title: str, scalar: str) -> str:
+    integer, item = ("int32", 4) if scalar == "float32" else ("int64", 8)
+    return _HEADER.format(title=title, scalar=scalar, integer=integer, item=item, tile=TILE)
+
+
+def _module(trace: Trace, title: str, scalar: str, span: str, driver: str) -> str:
+    needs = any(f"{name}(" in span for name in ("exp", "expm1", "asin"))
+    title = f"{title}: generated by Motes, {len(trace.outputs)} channel(s), {scalar}."
+    functions = elementary.source(elementary.PRECISIONS[scalar]) if needs else ""
+    return _header(title, scalar) + functions + _COLUMNS + span + driver

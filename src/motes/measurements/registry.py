@@ -1,0 +1,187 @@
+"""The table of formats, and `read`, which finds the right one from what a file or folder holds."""
+
+from __future__ import annotations
+
+import inspect
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TypeVar
+
+from motes.errors import FormatError, MotesError
+from motes.measurements import _files, cornell, curet, mbsdf, merl, merl_slice, rgl, staf, table, tvbrdf
+from motes.measurements.maps import ParameterMaps
+from motes.measurements.measurement import Measurement
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class Reader:
+    """One format.
+
+    Parameters
+    ----------
+    name, description, source
+        For ``format=``, for people, and the citation.
+    sniff
+        ``sniff(path, head)``: whether the first bytes of a file, or what a folder holds (head is empty), are of this
+        format.
+    read
+        ``read(path, **options)``.
+    samples
+        ``samples(path)``: the samples that a container holds; None for formats of one sample.
+    """
+
+    name: str
+    description: str
+    source: str
+    sniff: Callable[[Path, bytes], bool]
+    read: Callable[..., Measurement | ParameterMaps]
+    samples: Callable[[Path], list[str]] | None = None
+
+    @property
+    def takes_sample(self) -> bool:
+        return self.samples is not None
+
+    @property
+    def options(self) -> tuple[str, ...]:
+        """The names of the options that `read` takes."""
+        return tuple(inspect.signature(self.read).parameters)[1:]
+
+
+# Binary formats with a magic number first, then those that are told apart by their text.
+_TABLE = (
+    Reader(rgl.NAME, "RGL tensor file (.bsdf), adaptive RGB or spectral", rgl.SOURCE, rgl.sniff, rgl.read),
+    Reader(mbsdf.NAME, "MBSDF table of the MDL SDK", mbsdf.SOURCE, mbsdf.sniff, mbsdf.read),
+    Reader(
+        merl_slice.NAME,
+        "slice of a MERL table (.alta text or 512 x 512 .exr)",
+        merl_slice.SOURCE,
+        merl_slice.sniff,
+        merl_slice.read,
+    ),
+    Reader(merl.NAME, "MERL table (.binary), 90 x 90 x 180 RGB", merl.SOURCE, merl.sniff, merl.read),
+    Reader(
+        tvbrdf.NAME,
+        "TVBRDF sample folder: scans over time, 4 cameras, RGB",
+        tvbrdf.SOURCE,
+        tvbrdf.sniff,
+        tvbrdf.read,
+        tvbrdf.samples,
+    ),
+    Reader(staf.NAME, "STAF folder of polynomial parameter maps (.exr)", staf.SOURCE, staf.sniff, staf.read),
+    Reader(
+        curet.NAME,
+        "CUReT abrdf.dat with table.txt, 205 directions, grey",
+        curet.SOURCE,
+        curet.sniff,
+        curet.read,
+        curet.samples,
+    ),
+    Reader(table.NAME, "CSV: theta_i,phi_i,theta_r,phi_r[,time],<channel>...", table.SOURCE, table.sniff, table.read),
+    Reader(cornell.NAME, "Cornell spectral goniometer text (.brdf)", cornell.SOURCE, cornell.sniff, cornell.read),
+)
+READERS: dict[str, Reader] = {reader.name: reader for reader in _TABLE}
+
+
+def read(
+    path: str | os.PathLike[str],
+    *,
+    format: str | None = None,
+    sample: int | str | None = None,
+    times: Any = None,
+    **options: Any,
+) -> Measurement | ParameterMaps:
+    """Read measured reflectance; the format is found from the content of the file or folder.
+
+    Parameters
+    ----------
+    path
+        A file, or a folder (CUReT, TVBRDF, STAF).
+    format
+        A name in `READERS`, to skip the search.
+    sample
+        Which sample, where the file or folder holds several; see `list_samples`.
+    times
+        Hours of the scans, for formats with several whose time stamps are missing or unreadable.
+    **options
+        Of the reader: ``irradiance`` (tvbrdf), ``resolution`` (rgl).
+
+    Returns
+    -------
+    Measurement or ParameterMaps
+        The latter for maps of fitted parameters (STAF).
+
+    Raises
+    ------
+    FormatError
+        When there is nothing to read, the format is not known, or the file is damaged.
+    DataError
+        When the numbers cannot be used: directions that are not unit vectors, times that do not increase.
+    """
+    path, reader = _find(path, format)
+    options |= {name: value for name, value in (("sample", sample), ("times", times)) if value is not None}
+    for name in options:
+        if name not in reader.options:
+            known = f"its options are: {', '.join(reader.options)}" if reader.options else "it has none"
+            raise MotesError(f"The format {reader.name} has no option {name!r}; {known}", "Leave it out")
+    return _guarded(path, lambda: reader.read(path, **options))
+
+
+def list_samples(path: str | os.PathLike[str], *, format: str | None = None) -> list[str]:
+    """The samples in a file or folder of several, as `read` takes them; empty for formats of one sample."""
+    path, reader = _find(path, format)
+    if reader.samples is None:
+        return []
+    samples = reader.samples
+    return _guarded(path, lambda: samples(path))
+
+
+def _find(path: str | os.PathLike[str], format: str | None) -> tuple[Path, Reader]:
+    path = Path(path).expanduser()
+    if format is not None and format not in READERS:
+        raise FormatError(f"There is no format {format!r}", f"The formats are: {', '.join(READERS)}")
+    return path, _guarded(path, lambda: READERS[format] if format is not None and _exists(path) else _detect(path))
+
+
+def _exists(path: Path) -> bool:
+    if not path.exists():
+        raise FormatError(f"{path} does not exist", "Check the path")
+    if not (path.is_file() or path.is_dir()):  # a pipe or a device would never end
+        raise FormatError(f"{path} is neither a file nor a folder", "Give a regular file or a folder")
+    return True
+
+
+def _detect(path: Path) -> Reader:
+    _exists(path)
+    head = _files.head(path) if path.is_file() else b""
+    for reader in _TABLE:
+        if reader.sniff(path, head):
+            return reader
+    formats = f"The formats are: {', '.join(READERS)}; force one with format="
+    if path.is_dir():
+        names = sorted(f.name for f in path.iterdir())
+        raise FormatError(
+            f"{path} is a folder of no known format; it holds {', '.join(names[:5]) or 'nothing'}", formats
+        )
+    if not head:
+        raise FormatError(f"{path} is empty", "Fetch or copy the file again")
+    raise FormatError(f"{path} is of no known format; it starts with {head[:24]!r}", formats)
+
+
+def _guarded(path: Path, action: Callable[[], T]) -> T:
+    """The action, with the operating system's refusals as errors of ours."""
+    try:
+        return action()
+    except MotesError:
+        raise
+    except OSError as error:
+        raise FormatError(
+            f"{path} cannot be read: {error.strerror or error}", "Check the path and its permissions"
+        ) from error
+    except MemoryError:
+        raise FormatError(
+            f"{path} needs more memory than there is", "Use a machine with more memory, or split the data"
+        ) from None

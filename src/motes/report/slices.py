@@ -1,0 +1,234 @@
+"""Choosing what to show: a fit's samples in the coordinates of the plane of incidence, slices through them, groups by angle of incidence.
+
+All angles are isotropic ones: theta_i, theta_r and phi_r - phi_i.  In a slice theta_r carries a sign: positive on the side of the mirror direction.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from motes.fitting.result import Fit
+from motes.report.color import Floats
+
+# More samples than this are thinned where every one would be drawn or counted; pictures of averages use them all.
+MOST_DOTS = 6000
+# Angles of incidence [deg] that one wants to see, grazing included; the nearest that were measured are taken.
+TARGETS = (0, 15, 30, 45, 60, 75, 85)
+NEAR_MIRROR = np.deg2rad(6.0)
+
+
+@dataclass(frozen=True)
+class Samples:
+    """Measured and fitted values with their angles [rad].
+
+    ``theta_i, theta_r, dphi, from_mirror`` (n,); ``measured, fitted`` (n, C) [1/sr], NaN where masked.  ``from_mirror`` is the angle between ``wo`` and the
+    mirror direction of ``wi``.
+    """
+
+    theta_i: Floats
+    theta_r: Floats
+    dphi: Floats
+    from_mirror: Floats
+    measured: Floats
+    fitted: Floats
+
+    @classmethod
+    def of(cls, fit: Fit) -> Self:
+        """The samples of a fit; those masked in all channels are left out."""
+        data = fit.measurement
+        mask = data.mask[0]
+        keep = mask.any(1) & (data.wi[:, 2] > 0) & (data.wo[:, 2] > 0)
+        mask = mask[keep]
+        fitted = np.broadcast_to(fit.predicted, data.values.shape[1:])
+        across = data.wi[keep, :2] + data.wo[keep, :2]
+        along = data.wi[keep, 2] - data.wo[keep, 2]
+        chord = np.sqrt(across[:, 0] ** 2 + across[:, 1] ** 2 + along**2)  # |wo - mirrored wi|
+        return cls(
+            data.theta_i[keep],
+            data.theta_r[keep],
+            data.dphi[keep],
+            2 * np.arcsin(np.minimum(0.5 * chord, 1)),
+            np.where(mask, data.values[0][keep], np.nan),
+            np.where(mask, fitted[keep], np.nan),
+        )
+
+    def __len__(self) -> int:
+        return len(self.theta_i)
+
+    def take(self, which: NDArray[np.bool_] | NDArray[np.intp]) -> Samples:
+        """Some of the samples."""
+        return Samples(*(getattr(self, name)[which] for name in self.__dataclass_fields__))
+
+    def thinned(self, most: int = MOST_DOTS) -> Samples:
+        """At most so many samples, the same ones every time, drawn evenly (seed 0)."""
+        if len(self) <= most:
+            return self
+        return self.take(np.sort(np.random.default_rng(0).choice(len(self), most, replace=False)))
+
+    @property
+    def ratio(self) -> Floats:
+        """Measured over fitted (n, C); NaN where either is not positive."""
+        good = (self.measured > 0) & (self.fitted > 0)
+        return np.where(good, self.measured, np.nan) / np.where(good, self.fitted, 1.0)
+
+
+@dataclass(frozen=True)
+class Slice:
+    """Samples near one angle of incidence and near a plane through the normal."""
+
+    theta_i: float
+    theta_r: Floats  # signed [rad]
+    samples: Samples
+    across: bool
+
+    @property
+    def title(self) -> str:
+        return f"θᵢ = {np.degrees(self.theta_i):.3g}°"
+
+
+def distinct_angles(theta: Floats, most: int = 12) -> Floats | None:
+    """The angles [rad] of a measurement on a regular set of them (to half a degree), or None where there are more than `most`."""
+    rounded = np.unique(np.round(np.degrees(theta) * 2) / 2)
+    return np.deg2rad(rounded) if len(rounded) <= most else None
+
+
+@dataclass(frozen=True)
+class Slices:
+    """Slices with the tolerances [rad] within which samples were taken."""
+
+    panels: tuple[Slice, ...]
+    off_plane: float
+    off_angle: float
+
+
+def polar_slices(samples: Samples, *, across: bool = False, most: int = 6) -> Slices:
+    """Slices along the plane of incidence, or across it (at right angles to it), at several angles of incidence.
+
+    The tolerances are as small as the data allow: a regular measurement gives exact slices; scattered directions (CUReT) are taken within a few degrees.
+    A panel needs three samples.
+    """
+    side = np.cos(samples.dphi) if across else np.sin(samples.dphi)
+    off_plane = np.arcsin(np.minimum(np.abs(side) * np.sin(samples.theta_r), 1))
+    if across:  # normal incidence has no plane, and would be shown twice
+        off_plane = np.where(samples.theta_i < np.deg2rad(3), np.inf, off_plane)
+    regular = distinct_angles(samples.theta_i) is not None
+    off_angle = np.deg2rad(0.6 if regular else 1.0 if len(samples) > 20_000 else 3.0)
+    tolerance = 0.0
+    found: list[Slice] = []
+    for degrees in (0.6, 1.5, 3, 5):
+        tolerance = np.deg2rad(degrees)
+        near = np.flatnonzero(off_plane <= tolerance)
+        found = _panels(samples.take(near), off_angle, across, most) if len(near) else []
+        if len(found) >= min(3, most) and np.median([len(s.theta_r) for s in found]) >= 7:
+            break
+    return Slices(tuple(found), float(tolerance), float(off_angle))
+
+
+def _panels(near: Samples, off_angle: float, across: bool, most: int) -> list[Slice]:
+    panels: list[Slice] = []
+    for center in _centers(near.theta_i, off_angle):
+        which = np.abs(near.theta_i - center) <= off_angle
+        chosen = near.take(which)
+        signed = chosen.theta_r.copy()
+        if not across:
+            signed[np.cos(chosen.dphi) > 0] *= -1
+        order = np.argsort(signed, kind="stable")
+        signed, chosen = signed[order], chosen.take(order)
+        if len(order) > 120:  # dense data: one sample in each step of 1.5 degrees, the one nearest to the angle of incidence
+            step = np.round(np.degrees(signed) / 1.5)
+            nearest = np.lexsort((np.abs(chosen.theta_i - center), step))
+            first = nearest[np.r_[True, np.diff(step[nearest]) != 0]]
+            signed, chosen = signed[first], chosen.take(first)
+        if len(signed) >= 3:
+            panels.append(Slice(float(np.mean(chosen.theta_i)), signed, chosen, across))
+    if len(panels) > most:  # the fullest, but always the most grazing one
+        rank = sorted(range(len(panels) - 1), key=lambda k: -len(panels[k].theta_r))[: most - 1]
+        panels = [panels[k] for k in sorted({*rank, len(panels) - 1})]
+    return panels
+
+
+def _centers(theta_i: Floats, off_angle: float) -> list[float]:
+    """Angles of incidence worth a panel: all of a regular measurement, else near each target the one with the most samples about it."""
+    regular = distinct_angles(theta_i)
+    if regular is not None:
+        return [float(t) for t in regular]
+    centers: list[float] = []
+    for target in np.deg2rad(TARGETS):
+        candidates = target + np.deg2rad(np.arange(-5, 5.5, 0.5))
+        candidates = candidates[(candidates >= 0) & (candidates < np.deg2rad(89))]
+        counts = np.array([np.count_nonzero(np.abs(theta_i - c) <= off_angle) for c in candidates])
+        score = counts / (1 + (np.degrees(candidates - target) / 2) ** 2)
+        best = float(candidates[np.argmax(score)])
+        if score.max() > 0 and all(abs(best - c) > 2 * off_angle for c in centers):
+            centers.append(best)
+    return centers
+
+
+def incidence_groups(theta_i: Floats, most: int = 8) -> list[tuple[float, NDArray[np.bool_]]]:
+    """Samples by angle of incidence: each of a regular measurement, else equal shares; (angle [rad], which)."""
+    regular = distinct_angles(theta_i, most)
+    if regular is not None:
+        return [(float(t), np.abs(theta_i - t) <= np.deg2rad(0.3)) for t in regular]
+    edges = np.quantile(theta_i, np.linspace(0, 1, 5))
+    edges[0], edges[-1] = -1, 4
+    return [
+        (float(np.median(theta_i[which])), which)
+        for low, high in zip(edges[:-1], edges[1:], strict=True)
+        if (which := (theta_i > low) & (theta_i <= high)).any()
+    ]
+
+
+@dataclass(frozen=True)
+class NearMirror:
+    """For each angle of incidence the sample nearest to the mirror direction, and the typical ratio far from it.
+
+    ``theta_i, from_mirror`` (k,) [rad]; ``measured, fitted`` (k, C); ``elsewhere`` (k,): median of measured over fitted at more than 45 degrees from the
+    mirror direction.
+    """
+
+    theta_i: Floats
+    from_mirror: Floats
+    measured: Floats
+    fitted: Floats
+    elsewhere: Floats
+
+
+def near_mirror(samples: Samples) -> NearMirror | None:
+    """The samples near the mirror direction, or None where fewer than three angles of incidence have one within 6 degrees."""
+    regular = distinct_angles(samples.theta_i)
+    step = np.deg2rad(5)
+    centers = regular if regular is not None else np.arange(0.5, 18) * step
+    half = np.deg2rad(0.6) if regular is not None else step / 2
+    rows = []
+    for center in centers:
+        which = np.flatnonzero(np.abs(samples.theta_i - center) <= half)
+        if not len(which):
+            continue
+        nearest = which[np.argmin(samples.from_mirror[which])]
+        if samples.from_mirror[nearest] > NEAR_MIRROR:
+            continue
+        far = samples.ratio[which[samples.from_mirror[which] > np.deg2rad(45)]]
+        far = far[np.isfinite(far)]
+        rows.append((nearest, np.median(far) if far.size else np.nan))
+    if len(rows) < 3:
+        return None
+    index = np.array([k for k, _ in rows])
+    at = samples.take(index)
+    return NearMirror(at.theta_i, at.from_mirror, at.measured, at.fitted, np.array([r for _, r in rows]))
+
+
+def binned(x: Floats, y: Floats, edges: Floats) -> tuple[Floats, Floats]:
+    """Percentiles 16, 50, 84 of y (3, bins) in bins of x, and the bins' middles; NaN where a bin has fewer than three values."""
+    good = np.isfinite(y)
+    x, y = x[good], y[good]
+    quantiles = np.full((3, len(edges) - 1), np.nan)
+    where = np.digitize(x, edges) - 1
+    for k in range(len(edges) - 1):
+        inside = y[where == k]
+        if len(inside) >= 3:
+            quantiles[:, k] = np.percentile(inside, (16, 50, 84))
+    return 0.5 * (edges[1:] + edges[:-1]), quantiles

@@ -1,0 +1,36 @@
+"""What the tests of every room share: the data beside the repository, and how hypothesis behaves."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, settings
+
+SHARED = Path(__file__).resolve().parents[2] / "shared"
+
+# Examples are the same in every run; a busy machine is no failure.
+settings.register_profile(
+    "motes", deadline=None, derandomize=True, max_examples=50, suppress_health_check=[HealthCheck.too_slow]
+)
+settings.load_profile("motes")
+
+
+@pytest.fixture(scope="session")
+def shared() -> Callable[[str], Path]:
+    """``shared("data/curet/abrdf.dat")``: a path in ../shared, or the test is skipped with the name of what is missing."""
+
+    def find(name: str) -> Path:
+        path = SHARED / name
+        if not path.exists():
+            pytest.skip(f"../shared/{name} is missing")
+        return path
+
+    return find
+
+
+@pytest.fixture(scope="session")
+def shared_file(shared: Callable[[str], Path]) -> Callable[[str], Path]:
+    """``shared_file("curet/abrdf.dat")``: the same, for the measurements in ../shared/data."""
+    return lambda name: shared(f"data/{name}")

@@ -1,0 +1,258 @@
+"""`Measurement` and the policy for invalid data."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from motes.directions import from_spherical
+from motes.errors import DataError, MotesError
+from motes.measurements import Measurement, policy
+
+
+def pairs(n: int, seed: int = 0) -> tuple[np.ndarray, np.ndarray]:
+    rng = np.random.default_rng(seed)
+    return (
+        from_spherical(rng.uniform(0.1, 1.4, n), rng.uniform(-3, 3, n)),
+        from_spherical(rng.uniform(0.1, 1.4, n), rng.uniform(-3, 3, n)),
+    )
+
+
+def test_policy_masks_counts_and_keeps_the_values():
+    wi, wo = pairs(8)
+    wo[5] = from_spherical(np.pi / 2, 0.0)  # cos(pi/2) is 6e-17 in floating point ...
+    wo[5, 2] = 0.0  # ... and exactly 0 here
+    wi[6] = from_spherical(2.0, 0.3)
+    values = np.array([0.1, -0.2, np.nan, np.inf, 0.0, 0.5, -0.6, 0.7])
+    m = Measurement.from_arrays(wi, wo, values, mask=np.array([1, 1, 1, 1, 1, 1, 1, 0], bool)[:, None])
+    assert m.mask[0, :, 0].tolist() == [True, False, False, False, True, False, False, False]
+    assert dict(m.masked) == {
+        policy.BELOW_HORIZON: 2,  # the negative sample below the horizon counts once, under the first rule it breaks
+        policy.NOT_FINITE: 2,
+        policy.NEGATIVE: 1,
+        policy.EXCLUDED: 1,
+    }
+    np.testing.assert_array_equal(m.values[0, :, 0], values)
+    assert sum(m.masked.values()) == np.count_nonzero(~m.mask)
+
+
+def test_reasons_of_the_reader_come_first():
+    wi, wo = pairs(3)
+    m = Measurement.from_arrays(
+        wi, wo, [-1.0, -2.0, 3.0], reasons={"out of gamut": np.array([1, 0, 0], bool)[None, :, None]}
+    )
+    assert dict(m.masked) == {"out of gamut": 1, policy.NEGATIVE: 1}
+
+
+@pytest.mark.parametrize(
+    ("scale", "accepted"),
+    [(1 + 9e-4, True), (1 - 9e-4, True), (1.0011, False), (0.998, False), (np.nan, False), (0, False)],
+)
+def test_directions_off_unit_length(scale: float, accepted: bool):
+    wi, wo = pairs(5)
+    wi[3] *= scale
+    if accepted:
+        m = Measurement.from_arrays(wi, wo, np.ones(5))
+        np.testing.assert_allclose(np.linalg.norm(m.wi, axis=1), 1, rtol=0, atol=1e-15)
+    else:
+        with pytest.raises(DataError, match=r"wi in row 3 .*of length"):
+            Measurement.from_arrays(wi, wo, np.ones(5))
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"values": np.ones(4)},
+        {"values": np.ones((2, 2, 5, 1))},
+        {"values": ["a"] * 5},
+        {"wi": np.ones((5, 2))},
+        {"wi": np.empty((0, 3)), "wo": np.empty((0, 3))},
+        {"times": [1.0, 1.0], "values": np.ones((2, 5, 1))},
+        {"times": [2.0, np.nan], "values": np.ones((2, 5, 1))},
+        {"times": [0.0, 1.0, 2.0]},
+        {"channels": ("R", "R", "B"), "values": np.ones((5, 3))},
+        {"channels": ("R", "G")},
+        {"wavelengths": [400.0, 500.0]},
+        {"wavelengths": [-400.0]},
+        {"weights": np.ones(4)},
+        {"weights": [1, 1, 1, 1, -1]},
+        {"weights": np.zeros(5)},
+        {"weights": [1, 1, 1, 1, np.inf]},
+        {"mask": np.ones((3, 5, 1), bool)},
+    ],
+)
+def test_arrays_that_do_not_fit_are_errors_with_a_hint(change: dict):
+    wi, wo = pairs(5)
+    arguments = {"wi": wi, "wo": wo, "values": np.ones(5)} | change
+    with pytest.raises(MotesError) as error:
+        Measurement.from_arrays(**arguments)
+    assert error.value.hint
+
+
+def test_shapes_defaults_and_immutability():
+    wi, wo = pairs(4)
+    grey, rgb = Measurement.from_arrays(wi, wo, np.ones(4)), Measurement.from_arrays(wi, wo, np.ones((4, 3)))
+    assert (grey.channels, rgb.channels) == (("grey",), ("R", "G", "B"))
+    spectral = Measurement.from_arrays(wi, wo, np.ones((4, 2)), wavelengths=[400, 402.5])
+    assert spectral.channels == ("400 nm", "402.5 nm")
+    timed = Measurement.from_arrays(wi, wo, np.ones((3, 4, 1)))
+    assert timed.time_unit == "scan"
+    assert timed.times.tolist() == [0, 1, 2]
+    assert grey.times.tolist() == [0]
+    assert grey.time_unit == "h"
+    for array in (
+        grey.wi,
+        grey.wo,
+        grey.values,
+        grey.times,
+        grey.mask,
+        grey.weights,
+        spectral.wavelengths,
+        timed.at(1).values,
+    ):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 0
+    with pytest.raises(AttributeError):
+        grey.values = np.ones(4)
+
+
+def test_the_callers_arrays_stay_writable_and_apart():
+    wi, wo = pairs(4)
+    values = np.ones(4)
+    m = Measurement.from_arrays(wi, wo, values)
+    values[0], wi[0] = 7, 0
+    assert m.values[0, 0, 0] == 1
+    assert np.linalg.norm(m.wi[0]) == pytest.approx(1)
+
+
+def test_angles():
+    m = Measurement.from_arrays(
+        from_spherical([0.3, 0.3, 0.3, 0], 0.5), from_spherical(0.7, [0.5, 0.5 + np.pi, 0.0, 1.0]), np.ones(4)
+    )
+    np.testing.assert_allclose(m.theta_i, [0.3, 0.3, 0.3, 0], atol=1e-15)
+    np.testing.assert_allclose(m.theta_r, 0.7)
+    np.testing.assert_allclose(np.abs(m.dphi), [0, np.pi, 0.5, 0], atol=1e-15)
+    assert m.dphi[2] == pytest.approx(-0.5)
+
+
+def test_parts_count_their_own_masked_samples():
+    wi, wo = pairs(6)
+    values = np.arange(12.0).reshape(2, 6, 1) - 2  # negative: times 0, directions 0 and 1
+    values[1, 4] = np.nan
+    m = Measurement.from_arrays(wi, wo, values, times=[0.5, 1.0], weights=np.arange(1.0, 7))
+    assert dict(m.at(0).masked) == {policy.NEGATIVE: 2}
+    assert dict(m.at(-1).masked) == {policy.NOT_FINITE: 1}
+    assert m.at(1).times.tolist() == [1.0]
+    part = m.select([4, 0])
+    assert dict(part.masked) == {policy.NEGATIVE: 1, policy.NOT_FINITE: 1}
+    np.testing.assert_array_equal(part.wi, m.wi[[4, 0]])
+    np.testing.assert_array_equal(part.weights, [5, 1])
+    np.testing.assert_array_equal(part.values, m.values[:, [4, 0]])
+    assert m.select(np.array([1, 0, 0, 0, 0, 0], bool)).n_directions == 1
+    for bad in ([6], [-7], [], [True], np.zeros(6, bool), [0.5]):
+        with pytest.raises(DataError):
+            m.select(bad)
+    for bad_time in (2, -3):
+        with pytest.raises(DataError, match="There is no time"):
+            m.at(bad_time)
+
+
+def test_with_mask():
+    wi, wo = pairs(4)
+    m = Measurement.from_arrays(wi, wo, [-1.0, 1, 2, 3])
+    extra = np.array([False, False, True, True])[None, :, None]
+    more = m.with_mask(extra, "grazing")
+    assert dict(more.masked) == {policy.NEGATIVE: 1, "grazing": 1}
+    assert more.mask[0, :, 0].tolist() == [False, False, True, True]
+    again = more.with_mask(m.values < 3, "grazing")
+    assert dict(again.masked) == {policy.NEGATIVE: 1, "grazing": 2}
+    assert dict(m.masked) == {policy.NEGATIVE: 1}
+    assert dict(again.select([3]).masked) == {"grazing": 1}
+    with pytest.raises(DataError, match="does not broadcast"):
+        m.with_mask(np.ones(3, bool), "x")
+
+
+def test_all_masked_is_not_an_error():
+    wi, wo = pairs(3)
+    m = Measurement.from_arrays(wi, wo, [-1.0, np.nan, -3])
+    summary = m.summary()
+    assert summary["n_usable"] == 0
+    assert summary["f_r"] is None
+    json.dumps(summary, allow_nan=False)
+
+
+def test_summary_is_json_and_to_xarray_keeps_everything():
+    wi, wo = pairs(4)
+    m = Measurement.from_arrays(
+        wi,
+        wo,
+        np.arange(1.0, 17).reshape(2, 4, 2),
+        times=[0, 2],
+        wavelengths=[450, 650],
+        provenance={"name": "x", "notes": ["a"], "count": np.int64(3), "array": np.ones(2), "path": "p"},
+    )
+    summary = json.loads(json.dumps(m.summary(), allow_nan=False))
+    assert (summary["name"], summary["count"], summary["n_samples"]) == ("x", 3, 16)
+    pytest.importorskip("xarray")
+    dataset = m.to_xarray()
+    assert dataset["f_r"].dims == ("time", "direction", "channel")
+    assert float(dataset["f_r"].sel(time=2.0, channel="650 nm")[3]) == 16
+    assert dataset["wavelength"].values.tolist() == [450, 650]
+    np.testing.assert_array_equal(dataset["wo"], m.wo)
+
+
+@given(st.lists(st.floats(), min_size=1, max_size=20), st.integers(0, 2**32 - 1))
+def test_whatever_the_values_the_counts_add_up(values: list[float], seed: int):
+    wi, wo = pairs(len(values), seed)
+    m = Measurement.from_arrays(wi, wo, values)
+    assert sum(m.masked.values()) == np.count_nonzero(~m.mask)
+    usable = np.array(values)[m.mask[0, :, 0]]
+    assert np.all(np.isfinite(usable) & (usable >= 0))
+
+
+class TestClipping:
+    """`policy.clipped` finds a ceiling, and nothing where there is none."""
+
+    @staticmethod
+    def glossy(n: int = 300, digits: int = 3) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        wi, wo = pairs(n, seed=3)
+        wh = wi + wo
+        cos_h = wh[:, 2] / np.linalg.norm(wh, axis=1)
+        return wi, wo, np.round(0.1 + 3 * np.exp(-((np.arccos(cos_h) / 0.3) ** 2)), digits)
+
+    def test_a_ceiling_is_found(self):
+        wi, wo, f = self.glossy()
+        saturated = np.minimum(f, 1.5)
+        n = np.count_nonzero(f >= 1.5)
+        assert n >= 10
+        found = policy.clipped(wi, wo, saturated[None, :, None])
+        np.testing.assert_array_equal(found[0, :, 0], f >= 1.5)
+
+    def test_no_ceiling_no_clipping(self):
+        wi, wo, f = self.glossy()
+        assert not policy.clipped(wi, wo, f[None, :, None]).any()
+
+    def test_a_matte_surface_in_few_digits_is_not_clipped(self):
+        wi, wo = pairs(200)
+        f = np.round(0.3 + 0.01 * np.sin(np.arange(200)), 2)
+        assert not policy.clipped(wi, wo, f[None, :, None]).any()
+        assert not policy.clipped(wi, wo, np.full((1, 200, 1), 0.3)).any()
+
+    def test_geometries_that_symmetry_makes_equal_are_not_a_plateau(self):
+        """Normal incidence at many azimuths, mirror images and swapped pairs repeat the same value without clipping."""
+        wi, wo, f = self.glossy(60)
+        top = from_spherical(np.zeros(40), np.linspace(0, 6, 40))
+        mirror = wi * [1, -1, 1], wo * [1, -1, 1]
+        all_wi, all_wo = np.concatenate([top, wi, mirror[0], wo]), np.concatenate([top, wo, mirror[1], wi])
+        values = np.concatenate([np.full(40, 5.0), f, f, f])[None, :, None]
+        assert not policy.clipped(all_wi, all_wo, values).any()
+
+    def test_each_time_and_channel_has_its_own_ceiling(self):
+        wi, wo, f = self.glossy()
+        values = np.stack([np.stack([f, np.minimum(f, 1.0)], -1), np.stack([np.minimum(f, 2.0), f], -1)])
+        found = policy.clipped(wi, wo, values).any(axis=1)
+        assert found.tolist() == [[False, True], [True, False]]
