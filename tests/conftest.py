@@ -19,7 +19,7 @@ settings.load_profile("motes")
 
 @pytest.fixture(scope="session")
 def shared() -> Callable[[str], Path]:
-    """``shared("data/curet/abrdf.dat")``: a path in ../shared, or the test is skipped with the name of what is missing."""
+    """``shared("data/curet/abrdf.dat")``: a path in ../shared; the test is skipped, by name, where it is missing."""
 
     def find(name: str) -> Path:
         path = SHARED / name

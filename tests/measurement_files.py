@@ -70,7 +70,7 @@ def tensor_file(fields: dict[str, np.ndarray]) -> bytes:
 
 
 def rgl_fields(n_phi: int = 1, n_theta: int = 4, size: int = 6, grid: int = 5, seed: int = 6) -> dict[str, np.ndarray]:
-    """Positive random tensors; `n_phi` > 2 is anisotropic with two mirror symmetries (phi_i over a quarter of the circle)."""
+    """Positive random tensors; `n_phi` > 2 is anisotropic, phi_i over a quarter of the circle: two mirror symmetries."""
     rng = np.random.default_rng(seed)
 
     def f4(*shape: int) -> np.ndarray:
@@ -104,17 +104,15 @@ def rig(n_lights: int = 9) -> list[tuple[np.ndarray, np.ndarray]]:
 
 def tvbrdf_bytes(n_scans: int = 2, n_lights: int = 3) -> dict[str, bytes]:
     rng = np.random.default_rng(7)
-    files = {
-        "tvBrdf-info.txt": b"plaster (drying)\nExposures 0.2 4.0 32.0\nNumber of scans: 2\nscan 01: 0 s\nscan 02: 36 s\n"
-    }
+    info = "plaster (drying)\nExposures 0.2 4.0 32.0\nNumber of scans: 2\nscan 01: 0 s\nscan 02: 36 s\n"
+    files = {"tvBrdf-info.txt": info.encode()}
     for t in range(n_scans):
         for v, (L, V) in enumerate(rig(n_lights), 1):
             text = "Exposure 0.200000 4.000000 32.000000\n"
             for light, view in zip(L, V, strict=True):
                 f = rng.uniform(0.1, 1, 3)
-                text += "".join(
-                    f"{k} {a:.6f} {b:.6f} {c:.6f}\n" for k, (a, b, c) in zip("FLV", (f, light, view), strict=True)
-                )
+                for label, (a, b, c) in zip("FLV", (f, light, view), strict=True):
+                    text += f"{label} {a:.6f} {b:.6f} {c:.6f}\n"
             files[f"tvBrdf-data/scan{t + 1:02d}_brdf_camera{v}_allexposures.txt"] = text.encode()
     return files
 

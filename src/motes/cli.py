@@ -1,6 +1,7 @@
 """The command ``motes``: a thin shell over the library; each command is in `motes._cli`.
 
-Exit status: 0 done, 1 a fit did not converge, 2 bad input or usage, 3 a defect of motes, 130 interrupted, 141 the reader of the output went away.
+Exit status: 0 done, 1 a fit did not converge, 2 bad input or usage, 3 a defect of motes, 130 interrupted, 141 the
+reader of the output went away.
 """
 
 from __future__ import annotations
@@ -49,7 +50,7 @@ def _default(value: object) -> str | None:
 
 
 def _description(command: Callable[..., int]) -> str:
-    """What a docstring says before its parameters, a line a paragraph: --help breaks lines where the terminal wants it."""
+    """What a docstring says before its parameters, a line a paragraph, which --help breaks to the terminal's width."""
     text = inspect.cleandoc(command.__doc__ or "").partition("\nParameters\n-")[0].strip()
     return "\n\n".join(" ".join(paragraph.split()) for paragraph in text.split("\n\n"))
 

@@ -1,4 +1,5 @@
-"""Directions in the local frame (z = the surface normal): angles, half vectors, Rusinkiewicz coordinates, and the geometry of a pair.
+"""Directions in the local frame (z = the surface normal): angles, half vectors, Rusinkiewicz coordinates, and the
+geometry of a pair.
 
 ``wi`` points to the light, ``wo`` to the viewer; both are unit vectors away from the surface, arrays of shape (..., 3).
 """
@@ -14,13 +15,14 @@ from numpy.typing import ArrayLike, NDArray
 from motes.arrays import Array
 
 HALF_PI = 1.5707963267948966
-# Cosines are kept at or above this where they divide.  It is far below what a unit vector in float64 can resolve near the horizon, so it
-# changes no value; it keeps products of two cosines away from underflow in float32, and masked directions free of 0/0.
+# Cosines are kept at or above this where they divide.  It is far below what a unit vector in float64 can resolve near
+# the horizon, so it changes no value; it keeps products of two cosines away from underflow in float32, and masked
+# directions free of 0/0.
 SMALLEST_COSINE = 1e-12
 
 
 class Vector(NamedTuple):
-    """A direction by components, so that symbols and structure-of-arrays tiles look the same as slices of an (..., 3) array."""
+    """A direction by components: symbols and structure-of-arrays tiles look like slices of an (..., 3) array."""
 
     x: Array
     y: Array
@@ -35,10 +37,9 @@ class Vector(NamedTuple):
 def polar_angle(xp: Array, cos_theta: Array, sin_theta: Array) -> Array:
     """Polar angle [rad] in [0, pi/2] from its cosine and sine, accurate at both ends.
 
-    acos(cos_theta) loses half the digits near 0, where the cosine is flat: in float32 an angle of 0.003 comes out 1 % wrong, and
-    (theta_h / sigma_s)^2 with it.  The arc sine of the smaller of the two is well conditioned everywhere, its derivative is bounded
-    by sqrt(2), and its polynomial on [0, 0.7072] needs no square root.
-    """
+    acos(cos_theta) loses half the digits near 0, where the cosine is flat: in float32 an angle of 0.003 comes out 1 %
+    wrong, and (theta_h / sigma_s)^2 with it.  The arc sine of the smaller of the two is well conditioned everywhere,
+    its derivative is bounded by sqrt(2), and its polynomial on [0, 0.7072] needs no square root."""
     small = xp.asin(xp.minimum(cos_theta, sin_theta))
     return xp.where(sin_theta < cos_theta, small, HALF_PI - small)
 
@@ -142,7 +143,7 @@ class Geometry:
         return polar_angle(self.xp, self.cos_theta_h, self.sin_theta_h)
 
     def above_horizon(self, value: Array) -> Array:
-        """`value` where both directions are above the surface, exactly 0 elsewhere; a NaN cosine stays NaN (maximum keeps it)."""
+        """`value` where both directions are above the surface, exactly 0 elsewhere; a NaN cosine stays NaN."""
         xp, z_i, z_o = self.xp, self.wi.z, self.wo.z
         return xp.where(z_i > 0, xp.where(z_o > 0, value, xp.maximum(z_o, 0.0)), xp.maximum(z_i, 0.0))
 
@@ -191,7 +192,9 @@ def from_half_difference(
     return wi, 2 * np.sum(wi * wh, axis=-1, keepdims=True) * wh - wi
 
 
-def half_difference(wi: ArrayLike, wo: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+def half_difference(
+    wi: ArrayLike, wo: ArrayLike
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """``theta_h, theta_d, phi_d`` [rad] of pairs of directions (..., 3) (Rusinkiewicz 1998); phi_d in (-pi, pi]."""
     wi, wo = np.asarray(wi, np.float64), np.asarray(wo, np.float64)
     wh = wi + wo

@@ -1,13 +1,14 @@
-r"""Equations (1)-(13), each once: Oren-Nayar, Torrance-Sparrow, and Blinn's dust with the Henyey-Greenstein phase function.
+r"""Equations (1)-(13), each once: Oren-Nayar, Torrance-Sparrow, and Blinn's dust with the Henyey-Greenstein phase
+function.
 
-The source is the three appendices of B. Sun, K. Sunkavalli, R. Ramamoorthi, P. Belhumeur, S. Nayar, "Time-Varying BRDFs", IEEE TVCG 13(3),
-2007 (https://doi.org/10.1109/TVCG.2007.1013).  A function has the name of the symbol it computes and stands in the order of the source.
-Nothing here clamps, masks or normalises: what is printed is what is returned, and the models in `motes.models` say what they add.
+The source is the three appendices of B. Sun, K. Sunkavalli, R. Ramamoorthi, P. Belhumeur, S. Nayar, "Time-Varying
+BRDFs", IEEE TVCG 13(3), 2007 (https://doi.org/10.1109/TVCG.2007.1013).  A function has the name of the symbol it
+computes and stands in the order of the source. Nothing here clamps, masks or normalises: what is printed is what is
+returned, and the models in `motes.models` say what they add.
 
-Every function takes a namespace ``xp`` first (see `motes.arrays`) and broadcasts its arguments.  Angles are in radians.  They are
-passed as the functions of them that stay accurate: sines and cosines rather than tangents (tan(acos(0)) is -2e7 in float32),
-``sin2_half_gamma`` rather than cos(gamma) (whose difference from 1 float32 cannot hold).
-"""
+Every function takes a namespace ``xp`` first (see `motes.arrays`) and broadcasts its arguments.  Angles are in radians.
+They are passed as the functions of them that stay accurate: sines and cosines rather than tangents (tan(acos(0)) is
+-2e7 in float32), ``sin2_half_gamma`` rather than cos(gamma) (whose difference from 1 float32 cannot hold)."""
 
 from __future__ import annotations
 
@@ -22,7 +23,9 @@ INV_PI = 0.3183098861837907
 # ---------------------------------------------------------------- Appendix A: Oren-Nayar, equations (1)-(8)
 
 
-def rho_d1(xp: Array, C1: Array, C2: Array, C3: Array, cos_dphi: Array, tan_beta: Array, tan_half: Array, K_d: Array) -> Array:
+def rho_d1(
+    xp: Array, C1: Array, C2: Array, C3: Array, cos_dphi: Array, tan_beta: Array, tan_half: Array, K_d: Array
+) -> Array:
     """Equation (1): the direct component [1/sr]; `tan_half` is tan((alpha + beta)/2).
 
     It goes negative near grazing forward scatter for sigma_d >= 0.7 (the models clamp it at 0).
@@ -87,11 +90,13 @@ def D(xp: Array, theta_h: Array, sigma_s: Array) -> Array:
     return xp.exp(-(t * t))
 
 
-def G(xp: Array, cos_theta_i: Array, cos_theta_r: Array, cos_theta_h: Array, wi_dot_wh: Array, wo_dot_wh: Array) -> Array:
+def G(
+    xp: Array, cos_theta_i: Array, cos_theta_r: Array, cos_theta_h: Array, wi_dot_wh: Array, wo_dot_wh: Array
+) -> Array:
     """Equation (11): shadowing and masking of V-shaped grooves.
 
-    The printed denominators cos(theta_i) cos(theta_h) + sin(theta_i) sin(theta_h) cos(phi_i - phi_h) are wi . wh, and likewise for r.
-    """
+    The printed denominators cos(theta_i) cos(theta_h) + sin(theta_i) sin(theta_h) cos(phi_i - phi_h) are wi . wh, and
+    likewise for r."""
     shadowing = 2 * cos_theta_i * cos_theta_h / wi_dot_wh
     masking = 2 * cos_theta_r * cos_theta_h / wo_dot_wh
     return xp.maximum(xp.minimum(xp.minimum(shadowing, masking), 1.0), 0.0)
@@ -101,12 +106,13 @@ def G(xp: Array, cos_theta_i: Array, cos_theta_r: Array, cos_theta_h: Array, wi_
 
 
 def rho_dust(xp: Array, Phi: Array, cos_theta_i: Array, cos_theta_r: Array, w: Array) -> Array:
-    """Equation (12): the brightness of top-lit dust; it holds cos(theta_i), so it is not reciprocal, and lacks 1/(4 pi)."""
+    """Equation (12): the brightness of top-lit dust; with cos(theta_i), so not reciprocal, and without 1/(4 pi)."""
     return w * Phi * (cos_theta_i / (cos_theta_i + cos_theta_r))
 
 
 def Phi(xp: Array, sin2_half_gamma: Array, cos2_half_gamma: Array, g: Array) -> Array:
-    """Equation (13), Henyey-Greenstein; gamma is the deviation: 0 is straight on.  It integrates to 4 pi over the sphere.
+    """Equation (13), Henyey-Greenstein; gamma is the deviation: 0 is straight on.  It integrates to 4 pi over the
+    sphere.
 
     The printed 1 + g^2 - 2 g cos(gamma) cancels towards the peak.  It equals (1 - g)^2 + 4 g sin^2(gamma/2) and
     (1 + g)^2 - 4 g cos^2(gamma/2); all terms of the first are positive for g >= 0, all of the second for g <= 0.
@@ -123,7 +129,7 @@ def Phi(xp: Array, sin2_half_gamma: Array, cos2_half_gamma: Array, g: Array) -> 
 
 
 def fresnel_dielectric(xp: Array, cos_theta: Array, n: Array) -> Array:
-    """F of (9) for an interface of relative refractive index n >= 1, unpolarised (Fresnel 1823; Born & Wolf, section 1.5)."""
+    """F of (9) at an interface of relative refractive index n >= 1, unpolarised (Born & Wolf, section 1.5)."""
     cos_t = xp.sqrt(1 - (1 - cos_theta * cos_theta) / (n * n))
     s = (cos_theta - n * cos_t) / (cos_theta + n * cos_t)
     p = (n * cos_theta - cos_t) / (n * cos_theta + cos_t)
@@ -150,7 +156,7 @@ def fresnel_schlick(xp: Array, cos_theta: Array, f0: Array) -> Array:
 
 
 def dust_brdf(xp: Array, Phi: Array, cos_theta_i: Array, cos_theta_r: Array, w: Array) -> Array:
-    """The BRDF of top-lit dust, (12) / (4 pi cos(theta_i)) [1/sr]: reciprocal, and what renders (Blinn 1982, section 3)."""
+    """The BRDF of top-lit dust, (12) / (4 pi cos(theta_i)) [1/sr]: reciprocal, and what renders (Blinn 1982)."""
     return w * (0.25 * INV_PI) * (Phi / (cos_theta_i + cos_theta_r))
 
 
@@ -160,16 +166,17 @@ def slant_depth(xp: Array, cos_theta_i: Array, cos_theta_r: Array, tau: Array) -
 
 
 def dust_layer(xp: Array, base: Array, dust: Array, depth: Array) -> Array:
-    """A base seen through dust, T f_base + (1 - T) f_dust with T = exp(-depth); expm1 keeps thin layers accurate (Blinn 1982)."""
+    """A base seen through dust, T f_base + (1 - T) f_dust, T = exp(-depth) (Blinn 1982); expm1 serves thin layers."""
     return xp.exp(-depth) * base - xp.expm1(-depth) * dust
 
 
 def facet_area(xp: Array, sigma_s: Array) -> Array:
-    """Projected area of the facets of (10), the integral of D cos(theta_h) over the hemisphere; about pi sigma_s^2 when small.
+    """Projected area of the facets of (10), the integral of D cos(theta_h) over the hemisphere; about pi sigma_s^2 when
+    small.
 
-    It is pi times the integral of exp(-(theta/sigma_s)^2) sin(2 theta) over [0, pi/2].  Up to sigma_s = 0.25 the integral to infinity is Dawson's function,
-    a power series, and what lies beyond pi/2 is under 1e-17; above, Gauss-Legendre quadrature.  Within 1e-14 of the integral on (0, pi/2].
-    """
+    It is pi times the integral of exp(-(theta/sigma_s)^2) sin(2 theta) over [0, pi/2].  Up to sigma_s = 0.25 the
+    integral to infinity is Dawson's function, a power series, and what lies beyond pi/2 is under 1e-17; above,
+    Gauss-Legendre quadrature.  Within 1e-14 of the integral on (0, pi/2]."""
     m = -2 * sigma_s * sigma_s
     series = 1.0
     for k in range(10, 0, -1):

@@ -39,4 +39,6 @@ class MissingExtraError(MotesError, ImportError):
     """An optional dependency that is not installed."""
 
     def __init__(self, package: str, extra: str, purpose: str) -> None:
-        super().__init__(f"{purpose} needs the package {package}, which is not installed", f"pip install 'motes[{extra}]'")
+        super().__init__(
+            f"{purpose} needs the package {package}, which is not installed", f"pip install 'motes[{extra}]'"
+        )

@@ -33,7 +33,9 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
         temporary = None
     except OSError as error:
         reason = error.strerror or str(error)
-        raise MotesError(f"{target} cannot be written: {reason}", "Choose a folder that exists, is writable and has room, with -o") from error
+        raise MotesError(
+            f"{target} cannot be written: {reason}", "Choose a folder that exists, is writable and has room, with -o"
+        ) from error
     finally:
         if temporary is not None:
             temporary.unlink(missing_ok=True)

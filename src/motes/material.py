@@ -56,7 +56,11 @@ class Material:
     def to_dict(self) -> dict[str, Any]:
         """Plain JSON values; see `save`."""
         parameters = {
-            slot.name: {"value": np.asarray(slot.value).tolist(), "unit": slot.parameter.unit, "meaning": slot.parameter.doc}
+            slot.name: {
+                "value": np.asarray(slot.value).tolist(),
+                "unit": slot.parameter.unit,
+                "meaning": slot.parameter.doc,
+            }
             for slot in self.brdf.slots()
         }
         return {
@@ -75,9 +79,15 @@ class Material:
     def from_dict(cls, data: Mapping[str, Any]) -> Self:
         """Back from `to_dict`; raises `FormatError` when something is missing or out of range."""
         if not isinstance(data, Mapping) or data.get("format") != "motes material":
-            raise FormatError("this JSON is not a Motes material: its 'format' is not 'motes material'", "motes fit DATA -o OUT writes one")
+            raise FormatError(
+                "this JSON is not a Motes material: its 'format' is not 'motes material'",
+                "motes fit DATA -o OUT writes one",
+            )
         if not isinstance(data.get("version"), int) or data["version"] > VERSION:
-            raise FormatError(f"material version {data.get('version')!r} is newer than {VERSION}, which this Motes reads", "Install a newer Motes")
+            raise FormatError(
+                f"material version {data.get('version')!r} is newer than {VERSION}, which this Motes reads",
+                "Install a newer Motes",
+            )
         try:
             values = {str(name): entry["value"] for name, entry in data["parameters"].items()}
             brdf = parse(str(data["model"])).model.with_parameters(values)
@@ -91,7 +101,9 @@ class Material:
         except (KeyError, TypeError, AttributeError, ValueError) as error:
             if isinstance(error, MotesError):
                 raise
-            raise FormatError(f"the material is incomplete or damaged: {error}", "Write it again with motes fit") from error
+            raise FormatError(
+                f"the material is incomplete or damaged: {error}", "Write it again with motes fit"
+            ) from error
 
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Write the material as JSON, whole or not at all."""
@@ -109,10 +121,14 @@ def load(path: str | os.PathLike[str]) -> Material:
     file = Path(path)
     try:
         if file.stat().st_size > LARGEST_FILE:
-            raise FormatError(f"{file} has {file.stat().st_size} bytes, more than the {LARGEST_FILE} that a material may have")
+            raise FormatError(
+                f"{file} has {file.stat().st_size} bytes, more than the {LARGEST_FILE} that a material may have"
+            )
         data = json.loads(file.read_text(encoding="utf-8"))
     except OSError as error:
-        raise FormatError(f"{file} cannot be read: {error.strerror or error}", "Give the path of a material that motes fit wrote") from error
+        raise FormatError(
+            f"{file} cannot be read: {error.strerror or error}", "Give the path of a material that motes fit wrote"
+        ) from error
     except (ValueError, RecursionError) as error:
         raise FormatError(f"{file} is not JSON: {error}", "Give the path of a material that motes fit wrote") from error
     return Material.from_dict(data)

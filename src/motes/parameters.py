@@ -1,7 +1,9 @@
-"""`Parameter`: one declaration (default, bounds, symbol, unit, meaning) that drives everything which needs to know a parameter.
+"""`Parameter`: one declaration (default, bounds, symbol, unit, meaning) that drives everything which needs to know a
+parameter.
 
-Validation, the bounds of a fit, the strategies of the property tests, sliders, uniforms and the tables of the documentation are
-all derived from it.  A class that has parameters derives from `Parametrised` and declares them as dataclass fields::
+Validation, the bounds of a fit, the strategies of the property tests, sliders, uniforms and the tables of the
+documentation are all derived from it.  A class that has parameters derives from `Parametrised` and declares them as
+dataclass fields::
 
     @final
     @dataclass(frozen=True, eq=False)
@@ -71,7 +73,7 @@ class Parameter:
     advice: str
 
     def check(self, owner: str, value: Array) -> Array:
-        """`value` as a float or a read-only float array, within bounds; tensors, symbols and traced values pass as they are."""
+        """`value` as a float or a read-only float array, within bounds; tensors and symbols pass as they are."""
         if is_foreign(value):
             return value
         try:
@@ -79,7 +81,9 @@ class Parameter:
         except (TypeError, ValueError):  # ragged lists
             array = np.asarray(None)
         if array.dtype.kind not in "fiu" or not array.size:
-            raise ParameterError(f"{owner}: {self.name} = {_shown(value)} is not a number or an array of numbers", self.hint())
+            raise ParameterError(
+                f"{owner}: {self.name} = {_shown(value)} is not a number or an array of numbers", self.hint()
+            )
         if not (isinstance(value, np.ndarray) and array.dtype.kind == "f"):
             array = array.astype(np.float64)
         low, high = self.bounds
@@ -87,7 +91,9 @@ class Parameter:
         inside &= np.isfinite(array)
         if not inside.all():
             worst = float(array[~inside].flat[0]) if array.ndim else float(array)
-            raise ParameterError(f"{owner}: {self.name} = {worst:.6g} is outside {self.range()} ({self.doc})", self.hint(worst))
+            raise ParameterError(
+                f"{owner}: {self.name} = {worst:.6g} is outside {self.range()} ({self.doc})", self.hint(worst)
+            )
         if array.ndim == 0:
             return float(array)
         if array.flags.writeable or not array.flags.owndata:  # what others hold, they can change
@@ -182,7 +188,9 @@ class Parametrised:
     @classmethod
     def declared(cls) -> tuple[Parameter, ...]:
         """The parameters that this class itself declares, in order."""
-        return tuple(Parameter(name=f.name, **f.metadata["parameter"]) for f in fields(cls) if "parameter" in f.metadata)
+        return tuple(
+            Parameter(name=f.name, **f.metadata["parameter"]) for f in fields(cls) if "parameter" in f.metadata
+        )
 
     def children(self) -> dict[str, Parametrised]:
         """The parts of this object that have parameters of their own, by field."""

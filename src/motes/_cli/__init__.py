@@ -1,1 +1,1 @@
-"""The commands of the shell, one a file.  They import what they need when they run, so that ``motes --help`` is quick."""
+"""The commands of the shell, one a file; each imports what it needs when it runs, so that ``motes --help`` is quick."""

@@ -1,4 +1,4 @@
-"""What the commands print: tables and sentences to standard output, progress and warnings to standard error, or JSON."""
+"""What the commands print: tables, sentences or JSON to standard output, progress and warnings to standard error."""
 
 from __future__ import annotations
 
@@ -33,12 +33,12 @@ def print_table(table: Table) -> None:
 
 
 def clean(text: object) -> str:
-    """Text fit for a terminal: names out of files may hold control characters, which could move its cursor or change its title."""
+    """Text without control characters, which a name out of a file could use to move the cursor or change the title."""
     return "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in str(text))
 
 
 def facts(rows: Sequence[tuple[str, str]]) -> str:
-    """Pairs of a label and a text as lines, the texts aligned; wrapped where a terminal would break them in the middle of a word."""
+    """Pairs of a label and a text as lines, the texts aligned, and wrapped to the width of a terminal."""
     label_width = max((len(label) for label, _ in rows), default=0) + 2
     width = shutil.get_terminal_size().columns - label_width if sys.stdout.isatty() else 10**6
     lines = []
@@ -68,7 +68,12 @@ def progress(common: Common, label: str) -> Iterator[Progress | None]:
         return
     from rich import progress as bars
 
-    columns = (bars.SpinnerColumn(), bars.TextColumn("{task.description}", markup=False), bars.BarColumn(bar_width=30), bars.TimeElapsedColumn())
+    columns = (
+        bars.SpinnerColumn(),
+        bars.TextColumn("{task.description}", markup=False),
+        bars.BarColumn(bar_width=30),
+        bars.TimeElapsedColumn(),
+    )
     with bars.Progress(*columns, console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task(label, total=None)
 

@@ -21,8 +21,8 @@ def demo(
 ) -> int:
     """Simulate a dusty drying plaster, fit it, and write a report; nothing is downloaded.
 
-    The scans go to OUTPUT/plaster in the format of the TVBRDF database, the results of the fit to OUTPUT. The table shows
-    the true values beside the fitted ones. Exit status as of motes fit.
+    The scans go to OUTPUT/plaster in the format of the TVBRDF database, the results of the fit to OUTPUT. The table
+    shows the true values beside the fitted ones. Exit status as of motes fit.
 
     Parameters
     ----------
@@ -40,7 +40,9 @@ def demo(
     _simulate(plaster, common)
     measurement = load_measurement(str(plaster), Reading())
     hours = float(measurement.times[time % measurement.n_times])
-    truth = {slot.name: getattr(slot.value, "tolist", lambda v=slot.value: v)() for slot in drying_plaster(hours).slots()}
+    truth = {
+        slot.name: getattr(slot.value, "tolist", lambda v=slot.value: v)() for slot in drying_plaster(hours).slots()
+    }
     if not (common.quiet or common.json):
         console.print_facts([("simulated", f"{plaster}/: {measurement.n_times} scans of a drying plaster, 2 % noise")])
     return fit_and_write(measurement, time, folder, True, {}, common, truth)
@@ -56,9 +58,13 @@ def _simulate(plaster: Path, common: Common) -> None:
     if plaster.is_dir():
         others = [file.name for file in plaster.iterdir() if file.name not in (DATA, INFO)]
         if others:
-            raise MotesError(f"{plaster} holds {others[0]}, which motes demo did not write", "Choose another folder with -o")
+            raise MotesError(
+                f"{plaster} holds {others[0]}, which motes demo did not write", "Choose another folder with -o"
+            )
     with paths.results(plaster.parent) as staging:
         with console.progress(common, "simulating") as step:
-            simulate(staging / plaster.name, drying_plaster, seed=SEED, name="dusty plaster", process="drying", progress=step)
+            simulate(
+                staging / plaster.name, drying_plaster, seed=SEED, name="dusty plaster", process="drying", progress=step
+            )
         if plaster.is_dir():
             shutil.rmtree(plaster)

@@ -36,8 +36,8 @@ def fit(
 
     Writes material.json, fit.json, parameters.csv and report.html, all of them or none.
 
-    Exit status: 0 when the fit converged; 1 when it stopped before that, with the results written and marked so; 2 for bad
-    input or usage; 3 for a defect of motes. A parameter that the data do not determine is named in the table and in
+    Exit status: 0 when the fit converged; 1 when it stopped before that, with the results written and marked so; 2 for
+    bad input or usage; 3 for a defect of motes. A parameter that the data do not determine is named in the table and in
     fit.json, and does not change the status.
 
     Parameters
@@ -71,7 +71,10 @@ def fit(
     held = dict(assignment(text, "--fix") for text in fix)
     for name, value in held.items():
         if isinstance(value, str):
-            raise MotesError(f"--fix {name}={value} is not a number or numbers", f"Write --fix {name}=0.3, or --fix {name}=0.7,0.6,0.5")
+            raise MotesError(
+                f"--fix {name}={value} is not a number or numbers",
+                f"Write --fix {name}=0.3, or --fix {name}=0.7,0.6,0.5",
+            )
     measurement = load_measurement(data, reading)
     folder = Path(output) if output is not None else Path(f"motes-{slug(measurement.name)}")
     options = {

@@ -81,56 +81,60 @@ def _show_material(material: Material) -> None:
 
 def _measurement(summary: dict[str, Any]) -> list[Row]:
     """The summary of a measurement."""
-    s = summary
-    channels = f"{s['n_channels']} channel{'s' if s['n_channels'] > 1 else ''}"
-    times = f"{s['n_times']} time{'s' if s['n_times'] > 1 else ''}"
+    s = dict(summary)  # what is said is taken out; the rest is listed after it
     rows = _heads(s)
-    rows += [("size", f"{s['n_directions']} directions x {channels} x {times}"), ("channels", _list(s["channels"]))]
-    if s["n_times"] > 1:
-        rows.append(("times", f"{_list([f'{t:.4g}' for t in s['times']])} {s['time_unit']}"))
-    for key, label in (("theta_i_deg", "theta_i"), ("theta_r_deg", "theta_r")):
-        rows.append((label, f"{s[key][0]:.1f} to {s[key][1]:.1f} degrees"))
-    if s["f_r"]:
-        rows.append(("f_r", f"{s['f_r'][0]:.4g} to {s['f_r'][1]:.4g} 1/sr, median {s['f_r_median']:.4g}"))
-    masked = "".join(f"\n{count} masked: {reason}" for reason, count in s["masked"].items())
-    rows.append(("usable", f"{s['n_usable']} of {s['n_samples']} samples{masked}"))
-    rows.append(("weights", "solid angles" if s["weighted"] else "all alike"))
+    n_times, n_channels, times, unit = s.pop("n_times"), s.pop("n_channels"), s.pop("times"), s.pop("time_unit")
+    size = f"{s.pop('n_directions')} directions x {_count(n_channels, 'channel')} x {_count(n_times, 'time')}"
+    rows += [("size", size), ("channels", _list(s.pop("channels")))]
+    s.pop("wavelengths_nm")  # the names of the channels say them
+    if n_times > 1:
+        rows.append(("times", f"{_list([f'{t:.4g}' for t in times])} {unit}"))
+    for label in ("theta_i", "theta_r"):
+        low, high = s.pop(f"{label}_deg")
+        rows.append((label, f"{low:.1f} to {high:.1f} degrees"))
+    f_r, median = s.pop("f_r"), s.pop("f_r_median")
+    if f_r:
+        rows.append(("f_r", f"{f_r[0]:.4g} to {f_r[1]:.4g} 1/sr, median {median:.4g}"))
+    masked = "".join(f"\n{count} masked: {reason}" for reason, count in s.pop("masked").items())
+    rows.append(("usable", f"{s.pop('n_usable')} of {s.pop('n_samples')} samples{masked}"))
+    rows.append(("weights", "solid angles" if s.pop("weighted") else "all alike"))
     return rows + _rest(s)
 
 
 def _maps(summary: dict[str, Any]) -> list[Row]:
     """The summary of maps of parameters that change with time."""
-    s = summary
+    s = dict(summary)
     rows = _heads(s)
-    rows.append(("size", f"{s['shape'][1]} x {s['shape'][0]} texels"))
-    for name, form in s["maps"].items():
-        rows.append((f"map {name}", f"polynomial of time of degree {form['degree']}, {form['channels']} channel(s)"))
-    rows.append(("times", "  ".join(f"{t:7.4g}" for t in s["times"])))
-    for name, means in s["mean"].items():
+    height, width = s.pop("shape")
+    rows.append(("size", f"{width} x {height} texels"))
+    for name, form in s.pop("maps").items():
+        channels = _count(form["channels"], "channel")
+        rows.append((f"map {name}", f"polynomial of time of degree {form['degree']}, {channels}"))
+    rows.append(("times", "  ".join(f"{t:7.4g}" for t in s.pop("times"))))
+    for name, means in s.pop("mean").items():
         rows.append((f"mean {name}", "  ".join(f"{mean:7.4f}" for mean in means)))
     return rows + _rest(s)
 
 
-def _heads(summary: dict[str, Any]) -> list[Row]:
-    return [(key, str(summary[key])) for key in ("kind", "name", "format", "source") if summary.get(key)]
+def _heads(s: dict[str, Any]) -> list[Row]:
+    return [(key, str(s.pop(key))) for key in ("kind", "name", "format", "source") if s.get(key)]
 
 
-#: What the rows above say already.
-_SAID = frozenset(
-    "kind name format source n_times n_directions n_channels channels wavelengths_nm times time_unit theta_i_deg theta_r_deg f_r f_r_median "
-    "n_samples n_usable masked weighted shape maps mean notes".split()
-)
-
-
-def _rest(summary: dict[str, Any]) -> list[Row]:
+def _rest(s: dict[str, Any]) -> list[Row]:
     """What else a reader tells of its format, and its notes."""
-    rows = [(key.replace("_", " "), _text(v)) for key, v in summary.items() if key not in _SAID and v not in (None, "", [], {})]
-    notes = summary.get("notes") or ()
-    return rows + ([("notes", "\n".join(str(note) for note in notes))] if notes else [])
+    notes = "\n".join(str(note) for note in s.pop("notes", None) or ())
+    rows = [(key.replace("_", " "), _text(v)) for key, v in s.items() if v not in (None, "", [], {})]
+    return [*rows, ("notes", notes)] if notes else rows
+
+
+def _count(n: int, what: str) -> str:
+    return f"{n} {what}{'' if n == 1 else 's'}"
 
 
 def _list(items: list[str], most: int = 8) -> str:
-    return ", ".join(items) if len(items) <= most else f"{', '.join(items[: most - 1])}, .. {items[-1]} ({len(items)} in all)"
+    if len(items) <= most:
+        return ", ".join(items)
+    return f"{', '.join(items[: most - 1])}, .. {items[-1]} ({len(items)} in all)"
 
 
 def _text(value: Any) -> str:

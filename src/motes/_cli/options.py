@@ -36,7 +36,8 @@ class Reading:
     """Which sample of a container."""
 
     read: Annotated[tuple[str, ...], Parameter(negative="")] = ()
-    """NAME=VALUE: an option of the reader: format=csv; times=0,0.5,1 (hours) and irradiance=2 (TVBRDF folders); resolution=32 (RGL). Repeat for more."""
+    """NAME=VALUE: an option of the reader, such as format=csv, times=0,0.5,1 (hours) or irradiance=2 (TVBRDF folders),
+    resolution=32 (RGL); repeat for more."""
 
     def options(self) -> dict[str, Any]:
         """The keyword arguments of `motes.read`."""
@@ -58,7 +59,9 @@ def assignment(text: str, option: str) -> tuple[str, Any]:
     """``K_s=0.3``, ``K_d=0.7,0.6,0.5`` or ``format=csv`` as a name and a number, a list of numbers or a text."""
     name, equals, value = (part.strip() for part in text.partition("="))
     if not equals or not name or not value:
-        raise MotesError(f"{option} {text!r} is not NAME=VALUE", f"Write {option} name=0.3, or {option} name=0.7,0.6,0.5")
+        raise MotesError(
+            f"{option} {text!r} is not NAME=VALUE", f"Write {option} name=0.3, or {option} name=0.7,0.6,0.5"
+        )
     try:
         number = ast.literal_eval(value)
         return name, [float(x) for x in number] if isinstance(number, (tuple, list)) else _number(number)

@@ -29,7 +29,11 @@ def existing(path: str) -> Path:
         given, parent = parent, parent.parent
     names = [entry.name for entry in parent.iterdir()]
     close = difflib.get_close_matches(given.name, names, n=3, cutoff=0.5)
-    hint = f"Did you mean {' or '.join(str(parent / name) for name in close)}?" if close else f"The folder {parent} exists; look there"
+    hint = (
+        f"Did you mean {' or '.join(str(parent / name) for name in close)}?"
+        if close
+        else f"The folder {parent} exists; look there"
+    )
     raise MotesError(f"{path} does not exist", hint)
 
 
@@ -46,10 +50,10 @@ def slug(name: str) -> str:
 
 @contextmanager
 def results(folder: Path) -> Iterator[Path]:
-    """A folder beside the final place in which to write results; they move into `folder` together when the block ends well.
+    """A folder in which to write results; they move into `folder` together when the block ends well.
 
-    The folder is made and tried on entry, before any work is done for it.  When the block fails, everything made here is gone again, and
-    what `folder` held before is untouched.
+    `folder` is made and tried on entry, before any work is done for it.  When the block fails, everything made here is
+    gone again, and what `folder` held before is untouched.
 
     Raises
     ------

@@ -28,8 +28,8 @@ def simulate(
 ) -> int:
     """Measure a material with a simulated rig of four cameras and a lamp on an arm.
 
-    Writes the folder format of the TVBRDF database (radiance at three exposures merged into one, blue first). Without --material or
-    --model the surface is a dusty plaster that dries.
+    Writes the folder format of the TVBRDF database (radiance at three exposures merged into one, blue first). Without
+    --material or --model the surface is a dusty plaster that dries.
 
     Parameters
     ----------
@@ -38,7 +38,8 @@ def simulate(
     material
         A material.json that motes fit wrote.
     model
-        A model with values, such as "oren_nayar(K_d=(0.7,0.6,0.5), sigma_d=0.4) + torrance_sparrow(K_s=0.3)"; what is not given has its default.
+        A model with values, such as "oren_nayar(K_d=(0.7,0.6,0.5), sigma_d=0.4) + torrance_sparrow(K_s=0.3)"; what is
+        not given has its default.
     scans
         How many scans.
     hours
@@ -59,10 +60,29 @@ def simulate(
     surface, name, process = _surface(material, model)
     rig = Rig(step_deg=step_deg, irradiance=irradiance)
     with console.progress(common, "simulating") as step:
-        measure(folder, surface, scans=scans, hours=hours, noise=noise, seed=seed, rig=rig, name=name, process=process, progress=step)
+        measure(
+            folder,
+            surface,
+            scans=scans,
+            hours=hours,
+            noise=noise,
+            seed=seed,
+            rig=rig,
+            name=name,
+            process=process,
+            progress=step,
+        )
     records = scans * len(rig.wi) * len(rig.wo)
     if common.json:
-        facts: dict[str, Any] = {"folder": folder, "name": name, "scans": scans, "cameras": len(rig.wo), "records": records, "noise": noise, "seed": seed}
+        facts: dict[str, Any] = {
+            "folder": folder,
+            "name": name,
+            "scans": scans,
+            "cameras": len(rig.wo),
+            "records": records,
+            "noise": noise,
+            "seed": seed,
+        }
         console.print_json(facts)
     elif not common.quiet:
         rows = [

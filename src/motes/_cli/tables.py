@@ -61,8 +61,12 @@ def verdict_notes(fit: Fit) -> list[tuple[str, str]]:
     for name, parameter in fit.parameters.items():
         for k, verdict in enumerate(parameter.verdicts):
             if ":" in verdict:
-                notes.setdefault(str(verdict), []).append(f"{name}[{fit.material.channels[k]}]" if len(parameter.verdicts) > 1 else name)
-    return [("note", f"{', '.join(names[:8])}{', ...' if len(names) > 8 else ''} {text}") for text, names in notes.items()]
+                notes.setdefault(str(verdict), []).append(
+                    f"{name}[{fit.material.channels[k]}]" if len(parameter.verdicts) > 1 else name
+                )
+    return [
+        ("note", f"{', '.join(names[:8])}{', ...' if len(names) > 8 else ''} {text}") for text, names in notes.items()
+    ]
 
 
 def _table() -> Table:

@@ -1,8 +1,8 @@
 """A plaster that dries while dust settles on it: the time-varying material of the demonstration.
 
-It follows what "Time-Varying BRDFs" (TVCG 2007) reports of drying surfaces and of dust, in the models of its appendices: a wet surface is dark
-and shows a highlight; as it dries the highlight decays exponentially and the diffuse reflectance climbs to its dry value along a
-logistic curve; dust gathers in proportion to time.  The numbers are chosen, not measured.
+It has the shape of what "Time-Varying BRDFs" (TVCG 2007) is about, in the models of its appendices: a wet surface is
+dark and shows a highlight; as it dries the highlight decays exponentially and the diffuse reflectance climbs to its dry
+value along a logistic curve; dust gathers in proportion to time.  The numbers are chosen, not measured.
 """
 
 from __future__ import annotations

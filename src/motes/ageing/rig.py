@@ -1,17 +1,18 @@
 """The rig of "Time-Varying BRDFs" (TVCG 2007), simulated: what four cameras record while a lamp sweeps over a sample.
 
-A lamp on an arm moves in the plane of incidence, half a degree between records, and four cameras look at the sample.  Each sweep is made at
-three exposures, which are merged into one high-dynamic-range radiance; a scan takes 36 s.  `simulate` writes such scans in the
-folder format of the TVBRDF database, in the order (camera by camera, channels, first record) that its documentation shows.
+A lamp on an arm moves in the plane of incidence, half a degree between records, and four cameras look at the sample.
+Each sweep is made at three exposures, which are merged into one high-dynamic-range radiance; a scan takes 36 s.
+`simulate` writes such scans in the folder format of the TVBRDF database.
 
-What is documented, and kept: the exposures, the step, the plane of incidence (y = 0), the first record of camera 1, with the lamp at 78 degrees and
-the camera at 12 degrees from the normal on the other side.  What is a choice of this simulation:
+What is documented, and kept: the exposures, the step, the plane of incidence (y = 0), and the first record of camera 1,
+with the lamp at 78 degrees from the normal and the camera at 12 degrees on the other side.  What is a choice of this
+simulation:
 
-- The other three cameras.  The original four stood in one vertical plane.  Here two of them stand outside the plane of incidence, so
-  that the data tell more of azimuth than phi = 0 and 180 degrees.
-- The arm sweeps from 78 to -78 degrees, and never hides the sample from a camera.
-- The aperture follows the lamp: the shortest exposure saturates at a radiance of 20 times the irradiance, the longest (160 times as long) at an
-  eighth of the irradiance.
+- The other three cameras.  The original four stood in one vertical plane.  Here two of them stand outside the plane of
+  incidence, so that the data tell more of azimuth than phi = 0 and 180 degrees.
+- The arm sweeps from 78 to -78 degrees, and never hides the sample from a camera.  Nothing changes during a scan.
+- The aperture follows the lamp: the shortest exposure saturates at a radiance of 20 times the irradiance, the longest
+  (160 times as long) at an eighth of the irradiance.  What saturates the shortest is recorded at its ceiling.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ Floats = NDArray[np.float64]
 Surface = BRDF | Material | Callable[[float], BRDF]
 
 CEILING = 20.0  # radiance that saturates the shortest exposure, over the irradiance; matte white reflects 1/pi
-READ_NOISE = 1 / 4096  # standard deviation of a reading, over the full scale of its exposure: one step of a 12-bit camera
+READ_NOISE = 1 / 4096  # standard deviation of a reading, over its full scale: one step of a 12-bit camera
 MOST_RECORDS = 5_000_000  # in all the scans of a simulation; about 400 MB of text
 
 
@@ -65,14 +66,22 @@ class Rig:
 
     def __post_init__(self) -> None:
         if not 0.01 <= self.step_deg <= 45:
-            raise MotesError(f"the lamp's step is {self.step_deg:g} degrees, outside [0.01, 45]", "The original rig steps by 0.5 degrees")
+            raise MotesError(
+                f"the lamp's step is {self.step_deg:g} degrees, outside [0.01, 45]",
+                "The original rig steps by 0.5 degrees",
+            )
         if not 0 < self.irradiance < float("inf"):
             raise MotesError(f"the irradiance is {self.irradiance:g}, not a positive number", "1 is the default")
         if not self.exposures or not all(0 < e < float("inf") for e in self.exposures):
-            raise MotesError(f"the exposures {self.exposures} are not positive numbers", "The original rig has 0.2, 4 and 32")
+            raise MotesError(
+                f"the exposures {self.exposures} are not positive numbers", "The original rig has 0.2, 4 and 32"
+            )
         for theta in (*self.arm_deg, *(theta for theta, _ in self.cameras_deg)):
             if not abs(theta) < 90:
-                raise MotesError(f"an angle of {theta:g} degrees from the normal is at or below the horizon", "Choose one below 90 degrees")
+                raise MotesError(
+                    f"an angle of {theta:g} degrees from the normal is at or below the horizon",
+                    "Choose one below 90 degrees",
+                )
 
     @property
     def wi(self) -> Floats:
@@ -99,8 +108,9 @@ class Rig:
         return scan
 
     def _merge(self, radiance: Floats, noise: float, rng: np.random.Generator) -> Floats:
-        """The high-dynamic-range radiance: the longest exposure that does not saturate; where all do, the ceiling of the shortest."""
-        # Flicker of the lamp and grain of the sample scale with the signal and are drawn once for a record; read noise is each exposure's own.
+        """One radiance from three: the longest exposure that does not saturate, else the ceiling of the shortest."""
+        # Flicker of the lamp and grain of the sample scale with the signal and are drawn once for a record; read noise
+        # is each exposure's own.
         signal = radiance * (1 + noise * rng.standard_normal(radiance.shape))
         merged = np.full(radiance.shape, CEILING * self.irradiance)
         for exposure in sorted(self.exposures):
@@ -130,12 +140,13 @@ def simulate(
     folder
         To write: ``tvBrdf-info.txt`` and ``tvBrdf-data/``; `motes.read` reads it back.
     surface
-        A BRDF or a material, or a function of the time [h] that returns a BRDF, such as `drying_plaster`; of one channel or three (R, G, B).
+        A BRDF or a material, or a function of the time [h] that returns a BRDF, such as `drying_plaster`; of one
+        channel or three (R, G, B).
     scans, hours
         The number of scans, and the time of the last one; they are evenly spaced from 0.
     noise
-        Relative standard deviation of each radiance.  With it comes read noise of one step in 4096 of the exposure's full scale, so that dark
-        records may come out negative.  0 turns both off.
+        Relative standard deviation of each radiance.  With it comes read noise of one step in 4096 of the exposure's
+        full scale, so that dark records may come out negative.  0 turns both off.
     seed
         Of the noise; the same seed gives the same files.
     rig
@@ -161,7 +172,8 @@ def simulate(
         raise MotesError(f"{scans} scans were asked for", "Ask for at least one")
     if scans * len(rig.wi) * len(rig.cameras_deg) > MOST_RECORDS:
         raise MotesError(
-            f"{scans} scans with steps of {rig.step_deg:g} degrees are more than {MOST_RECORDS:,} records", "Take fewer scans or larger steps"
+            f"{scans} scans with steps of {rig.step_deg:g} degrees are more than {MOST_RECORDS:,} records",
+            "Take fewer scans or larger steps",
         )
     if not 0 <= noise <= 1:
         raise MotesError(f"the noise is {noise:g}, outside [0, 1]", "0.02 is 2 % of each radiance")
@@ -175,9 +187,18 @@ def simulate(
     for k, time in enumerate(times):
         if progress:
             progress(k, scans, f"scan {k + 1}")
-        brdf = surface.at(float(time)) if isinstance(surface, Material) else surface if isinstance(surface, BRDF) else surface(float(time))
+        brdf = (
+            surface.at(float(time))
+            if isinstance(surface, Material)
+            else surface
+            if isinstance(surface, BRDF)
+            else surface(float(time))
+        )
         if brdf.channels not in (1, 3):
-            raise MotesError(f"the surface has {brdf.channels} channels, and the TVBRDF format has 3 (R, G, B)", "Give it one channel or three")
+            raise MotesError(
+                f"the surface has {brdf.channels} channels, and the TVBRDF format has 3 (R, G, B)",
+                "Give it one channel or three",
+            )
         recorded.append(rig.record(brdf, noise, rng))
     if progress:
         progress(scans, scans, "writing")

@@ -85,13 +85,11 @@ def scatter(lanes, scratch, target, step, stride, count):
 
 '''
 
-# Addresses are integers; a direction array is an address, the step from one direction to the next and the stride between components, in
-# items.  Rows of `varying` and `slopes` are `row` items apart.
+# Addresses are integers.  Directions are an address, the step from one to the next and the stride between components, in items; rows of
+# `varying` and `slopes` are `row` items apart; `room` has space for a tile of all components and channels.
 _EVALUATE = '''
 @numba.njit("void({signature})", cache=True, nogil=True, **options)
-def evaluate(wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, varying, row, out, out_step, out_stride, first, last):
-    scratch = np.empty({rows} * TILE, F)
-    room = scratch.ctypes.data
+def evaluate(wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, varying, row, out, out_step, out_stride, room, first, last):
     for start in range(first, last, TILE):
         count = min(TILE, last - start)
         i, i_row = wi + ITEM * wi_step * start, wi_stride
@@ -113,10 +111,9 @@ def evaluate(wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, varying,
 _GRADIENT = '''
 @numba.njit("void({signature})", cache=True, nogil=True, **options)
 def gradient(
-    wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, varying, row, seed, seed_step, seed_stride, slopes, totals, first, last
+    wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, varying, row, seed, seed_step, seed_stride, slopes, totals,
+    room, first, last,
 ):
-    scratch = np.empty({rows} * TILE, F)
-    room = scratch.ctypes.data
     for start in range(first, last, TILE):
         count = min(TILE, last - start)
         i, i_row = wi + ITEM * wi_step * start, wi_stride
@@ -178,7 +175,7 @@ def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     body = [*_loads(trace, lanes, given, rows), *lines]
     body += [f'store(F, f, {_row("f_row", c)}n, {result}, "span", {c}, {lanes})' for c, result in enumerate(results)]
     span = _span("i, i_row, o, o_row, constants, varying, row, f, f_row, count", loads, body)
-    driver = _EVALUATE.format(signature=_signature(14), rows=6 + lanes, channels=lanes)
+    driver = _EVALUATE.format(signature=_signature(15), channels=lanes)
     return Kernel(_module(trace, "Evaluates a reflectance model", scalar, span, driver), "evaluate", tuple(constants), tuple(rows))
 
 
@@ -222,7 +219,7 @@ def gradient(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
         f'store(np.float64, totals, {k}, load(np.float64, totals, {k}, "other", 1) + s{k}, "totals", 0, 1)' for k in range(len(wanted))
     ]
     span = _span("i, i_row, o, o_row, constants, varying, row, f, f_row, slopes, totals, count", before, body, after)
-    driver = _GRADIENT.format(signature=_signature(16), rows=6 + len(seed_leaves), channels=len(seed_leaves))
+    driver = _GRADIENT.format(signature=_signature(17), channels=len(seed_leaves))
     text = _module(trace, "Derivatives of a reflectance model", scalar, span, driver)
     return Kernel(text, "gradient", tuple(constants), tuple(rows), tuple(totals))
 

@@ -1,11 +1,12 @@
-r"""What "close" means: the functions of f and cos(theta_i) whose differences a fit makes small, and the robust versions.
+r"""What "close" means: the functions of f and cos(theta_i) whose differences a fit makes small, and the robust
+versions.
 
 A loss is a transform T; the residual of a sample is sqrt(weight) (T(fitted) - T(measured)).
 
-=============  ==================================  ==========================================================================
-``linear``     :math:`f \cos\theta_i`              what a light of unit radiance makes visible; finite at grazing (Ngan et al. 2005)
+=============  ==================================  ============================================================
+``linear``     :math:`f \cos\theta_i`              what a light makes visible; finite at grazing (Ngan et al. 2005)
 ``plain``      :math:`f`                           the BRDF itself; dominated by grazing angles and the highlight
-``log``        :math:`\log(1 + f \cos\theta_i)`    weighs the dim parts of glossy materials more (Löw et al. 2012)
+``log``        :math:`\log(1 + f \cos\theta_i)`    weighs the dim parts of glossy materials more (Löw 2012)
 ``cube_root``  :math:`(f \cos\theta_i)^{1/3}`      about the eye's lightness; between the two (Fores et al. 2012)
 =============  ==================================  ==========================================================================
 """
@@ -21,7 +22,8 @@ from numpy.typing import NDArray
 from motes.errors import MotesError
 
 Floats = NDArray[np.float64]
-# The cube root has an infinite slope at 0: below this f cos(theta_i) [1/sr] its slope is held, so that a model at exactly 0 can still move.
+# The cube root has an infinite slope at 0: below this f cos(theta_i) [1/sr] its slope is held, so that a model at
+# exactly 0 can still move.
 SMALLEST = 1e-6
 
 
@@ -58,7 +60,7 @@ LOSSES = {
 
 @dataclass(frozen=True)
 class Robust:
-    """A function rho of the squared residual z (in units of the noise squared) that grows slower than z, and its derivative."""
+    """A function rho of the squared residual z (in noise squared) that grows slower than z, and its derivative."""
 
     name: str
     rho: Callable[[Floats], Floats]
@@ -90,5 +92,7 @@ def loss_named(name: str) -> Loss:
 def robust_named(name: str) -> Robust:
     """The robust function of that name."""
     if name not in ROBUST:
-        raise MotesError(f"robust {name!r} is not one of {', '.join(ROBUST)}", "none is least squares; soft_l1 a mild choice")
+        raise MotesError(
+            f"robust {name!r} is not one of {', '.join(ROBUST)}", "none is least squares; soft_l1 a mild choice"
+        )
     return ROBUST[name]

@@ -1,13 +1,13 @@
 """A fit as a least-squares problem: many parameter vectors at once in, objectives, gradients and normal matrices out.
 
-Parameters are *shared* (sigma_d) or *per channel* (K_d), so the normal matrix is an arrow: a small block for each channel and a border of
-shared ones.  It is built from one (K, K) product for each channel, with K = per-channel + shared parameters, never from a dense Jacobian.
-"""
+Parameters are *shared* (sigma_d) or *per channel* (K_d), so the normal matrix is an arrow: a small block for each
+channel and a border of shared ones.  It is built from one (K, K) product for each channel, with K = per-channel +
+shared parameters, never from a dense Jacobian."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple, Self
@@ -20,8 +20,8 @@ from motes.fitting.losses import Floats, Loss, Robust
 from motes.models import BRDF
 from motes.parameters import Parameter
 
-# Elements (parameter sets x samples x channels) worked on at a time: few enough that the arrays of a pass stay in cache, enough that
-# NumPy's overhead of a call does not show.
+# Elements (parameter sets x samples x channels) worked on at a time: few enough that the arrays of a pass stay in
+# cache, enough that NumPy's overhead of a call does not show.
 CHUNK = 1 << 17
 
 
@@ -133,7 +133,9 @@ class Problem:
 
     def predicted(self, x: Floats) -> Floats:
         """The BRDF (N, C) [1/sr] for one parameter vector (P,)."""
-        parts = self._mapped(lambda rows: self._broadcast(self._function.values(self._rows(rows), self._arguments(x[None])), rows)[0], 1)
+        parts = self._mapped(
+            lambda rows: self._broadcast(self._function.values(self._rows(rows), self._arguments(x[None])), rows)[0], 1
+        )
         return np.concatenate(list(parts))
 
     def residuals(self, x: Floats) -> Floats:
@@ -143,9 +145,9 @@ class Problem:
     def spread(self, x: Floats, inverse: Floats) -> Floats:
         """The middle of the sandwich estimator (P, P): the sum of (psi / (1 - h))^2 J' J for one parameter vector.
 
-        ``inverse`` is the inverse normal matrix, h = J inverse J' the leverage of a sample, psi its (robust) weighted residual: MacKinnon and White's
-        HC3 (1985).  It needs no assumption that the noise is the same everywhere, or goes with the weights.
-        """
+        ``inverse`` is the inverse normal matrix, h = J inverse J' the leverage of a sample, psi its (robust) weighted
+        residual: MacKinnon and White's HC3 (1985).  It needs no assumption that the noise is the same everywhere, or
+        goes with the weights."""
         results = self._mapped(lambda rows: (self._spread_part(x[None], inverse, rows),), 1)
         return np.sum([part for (part,) in results], axis=0)
 
@@ -173,7 +175,7 @@ class Problem:
         return self._matrix((np.swapaxes(scaled, 1, 2) @ scaled)[None])[0]
 
     def _linearised(self, x: Floats, rows: slice) -> tuple[Floats, Floats]:
-        """Weighted residuals (B, n, C) and their derivatives (B, C, n, K): per-channel parameters first, then shared."""
+        """Weighted residuals (B, n, C) and their derivatives (B, C, n, K): per-channel parameters, then shared."""
         f, derivatives = self._function.values_and_jacobian(self._rows(rows), self._arguments(x))
         f = self._broadcast(f, rows, len(x))
         roots, cosines = self._roots[rows], self._cosines[rows]
@@ -195,7 +197,7 @@ class Problem:
     def _broadcast(self, f: Floats, rows: slice, batch: int = 1) -> Floats:
         return np.broadcast_to(f, (batch, rows.stop - rows.start, self.channels))
 
-    def _mapped(self, work, batch: int):  # type: ignore[no-untyped-def]
+    def _mapped(self, work, batch: int):
         """`work` on slices of the directions, in their order, on all processors when there is much to do."""
         step = max(64, CHUNK // max(1, batch * self.channels))
         slices = [slice(k, min(k + step, len(self.wi))) for k in range(0, len(self.wi), step)]
@@ -207,7 +209,9 @@ class Problem:
     # ------------------------------------------------------------ layout
 
     def _order(self) -> list[str]:
-        return [q.name for q in self.quantities if q.per_channel] + [q.name for q in self.quantities if not q.per_channel]
+        return [q.name for q in self.quantities if q.per_channel] + [
+            q.name for q in self.quantities if not q.per_channel
+        ]
 
     def _index(self) -> NDArray[np.intp]:
         """Positions (C, K) in the parameter vector of what acts on each channel, in the order of `_order`."""
@@ -230,13 +234,17 @@ class Problem:
         return total
 
 
-def layout(model: BRDF, channels: int, fixed: Iterator[str] | frozenset[str], per_channel: frozenset[str]) -> tuple[Quantity, ...]:
-    """What is fitted: every slot but those `fixed`; for each channel where it is declared so or named in `per_channel`."""
-    held, quantities, start = set(fixed), [], 0
+def layout(model: BRDF, channels: int, fixed: frozenset[str], per_channel: frozenset[str]) -> tuple[Quantity, ...]:
+    """What is fitted: every slot but those `fixed`; for each channel where declared or named in `per_channel`."""
+    held, quantities, start = fixed, [], 0
     for slot in model.slots():
         if slot.name in held:
             continue
-        own = channels > 1 and slot.parameter.per_channel and (not slot.parameter.shared_in_fit or slot.name in per_channel)
+        own = (
+            channels > 1
+            and slot.parameter.per_channel
+            and (not slot.parameter.shared_in_fit or slot.name in per_channel)
+        )
         stop = start + (channels if own else 1)
         quantities.append(Quantity(slot.name, slot.parameter, own, slice(start, stop)))
         start = stop

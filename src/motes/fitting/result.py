@@ -50,10 +50,9 @@ class Verdict(StrEnum):
 class FittedParameter:
     """One parameter after a fit.
 
-    ``value``, ``stderr`` and ``verdicts`` have an entry for each channel where the parameter was fitted per channel: arrays (C,) and a tuple of C;
-    else a float, a float and a tuple of one.  ``stderr`` is one standard error (68 %), NaN where the data do not determine the parameter, where it sits
-    at a bound, or where it was fixed.
-    """
+    ``value``, ``stderr`` and ``verdicts`` have an entry for each channel where the parameter was fitted per channel:
+    arrays (C,) and a tuple of C; else a float, a float and a tuple of one.  ``stderr`` is one standard error (68 %),
+    NaN where the data do not determine the parameter, where it sits at a bound, or where it was fixed."""
 
     name: str
     value: Array
@@ -106,10 +105,12 @@ class Fit:
     parameters
         By name, in the order of the model.
     labels, correlations
-        Names of the free quantities (``K_d[R]``, ``sigma_d``, ...) and their correlation matrix (P, P); NaN rows where undetermined.
+        Names of the free quantities (``K_d[R]``, ``sigma_d``, ...) and their correlation matrix (P, P); NaN rows where
+        undetermined.
     metrics
-        ``relative_rms`` = RMS(f - r)/RMS(r), unweighted, over unmasked samples; ``rms_plain``, ``rms_linear``, ``rms_log``, ``rms_cube_root``: root mean squares of
-        the residuals of each loss; ``objective`` (half the weighted sum of squares that was minimised), ``bic``, ``n_samples``, ``n_parameters``.
+        ``relative_rms`` = RMS(f - r)/RMS(r), unweighted, over unmasked samples; ``rms_plain``, ``rms_linear``,
+        ``rms_log``, ``rms_cube_root``: root mean squares of the residuals of each loss; ``objective`` (half the
+        weighted sum of squares that was minimised), ``bic``, ``n_samples``, ``n_parameters``.
     status
         Why it stopped.
     tried
@@ -162,7 +163,7 @@ class Fit:
         return fit_to_dict(self)
 
     def table(self) -> list[dict[str, str]]:
-        """The parameters as rows of text: name, channel, value, stderr, unit, verdict; digits follow the standard error."""
+        """The parameters as rows of text: name, channel, value, stderr, unit, verdict; digits follow the error."""
         from motes.fitting.tables import parameter_rows
 
         return parameter_rows(self)

@@ -1,9 +1,9 @@
 """Levenberg-Marquardt with box bounds, on many parameter vectors at once.
 
-All starts of a fit advance together: their normal equations come from one pass over the data, and those that have converged leave the batch.
-A parameter at a bound whose gradient points outwards is held for the step; steps are cut off at the bounds; damping follows Nielsen (1999), with the
-diagonal of the normal matrix as the scale (Marquardt), so that units do not matter.
-"""
+All starts of a fit advance together: their normal equations come from one pass over the data, and those that have
+converged leave the batch. A parameter at a bound whose gradient points outwards is held for the step; steps are cut off
+at the bounds; damping follows Nielsen (1999), with the diagonal of the normal matrix as the scale (Marquardt), so that
+units do not matter."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
 """Where a fit starts: a grid over what has several valleys, thinned on a small grey version of the data.
 
-The objective is nearly quadratic in K_d, K_s and w, and has several valleys along sigma_s, sigma_d, g, tau and the refractive index; each of
-those declares values to start from (`Parameter.starts`).  At every point of their grid the others are fitted to a few hundred grey samples; the best
-points are fitted in full there, and the best distinct ends are where the real fit starts.  Nothing is random from run to run.
-"""
+The objective is nearly quadratic in K_d, K_s and w, and has several valleys along sigma_s, sigma_d, g, tau and the
+refractive index; each of those declares values to start from (`Parameter.starts`).  At every point of their grid the
+others are fitted to a few hundred grey samples; the best points are fitted in full there, and the best distinct ends
+are where the real fit starts.  Nothing is random from run to run."""
 
 from __future__ import annotations
 
@@ -64,7 +64,8 @@ def _grid(grey: Problem) -> Floats:
     for q in grey.quantities:
         starts = q.parameter.starts
         axes.append(starts or (_bright_start(grey, q),))
-    # Many Fresnel and dust parameters at once: take every second start of the longest axis until the grid is affordable.
+    # Many Fresnel and dust parameters at once: take every second start of the longest axis until the grid is
+    # affordable.
     while np.prod([len(a) for a in axes]) > LARGEST_GRID:
         longest = max(range(len(axes)), key=lambda k: len(axes[k]))
         axes[longest] = axes[longest][::2]
@@ -79,11 +80,13 @@ def _bright_start(grey: Problem, q: Quantity) -> float:
 
 
 def _grey(problem: Problem) -> tuple[Problem, Floats]:
-    """The mean over channels at a few hundred directions, half of them even and half where it is bright; and the channels' relative brightness."""
+    """The mean over channels at a few hundred directions, half of them bright; the channels' brightness."""
     weights = problem.weights
     count = np.maximum((weights > 0).sum(axis=1), 1)
     values = np.where(weights > 0, problem.values, 0).sum(axis=1) / count
-    mean = np.array([np.average(v, weights=w) if w.any() else 1.0 for v, w in zip(problem.values.T, weights.T, strict=True)])
+    mean = np.array(
+        [np.average(v, weights=w) if w.any() else 1.0 for v, w in zip(problem.values.T, weights.T, strict=True)]
+    )
     brightness = np.maximum(mean, 1e-12) / max(float(mean.mean()), 1e-12)
     total = weights.mean(axis=1)
     usable = np.flatnonzero(total > 0)
@@ -94,7 +97,7 @@ def _grey(problem: Problem) -> tuple[Problem, Floats]:
         bright = rng.choice(usable, size, replace=False, p=energy / energy.sum())
         usable = np.union1d(rng.choice(usable, size, replace=False), bright)
     quantities = tuple(Quantity(q.name, q.parameter, False, slice(k, k + 1)) for k, q in enumerate(problem.quantities))
-    fixed = {name: np.mean(value) if np.ndim(value) else value for name, value in problem.fixed.items()}
+    fixed = {name: float(np.mean(value)) for name, value in problem.fixed.items()}
     grey = replace(
         problem,
         quantities=quantities,

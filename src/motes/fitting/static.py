@@ -56,20 +56,23 @@ def fit(
     data
         The measurement; masked samples are left out.
     model
-        Text such as ``"oren_nayar + torrance_sparrow"`` (values given in it are held, see `motes.models.parse`), a BRDF (the fit also starts
-        from its values), or ``"auto"``: the candidate with the smallest BIC.
+        Text such as ``"oren_nayar + torrance_sparrow"`` (values given in it are held, see `motes.models.parse`), a BRDF
+        (the fit also starts from its values), or ``"auto"``: the candidate with the smallest BIC.
     loss
         ``"linear"``, ``"plain"``, ``"log"`` or ``"cube_root"``; see `motes.fitting.losses`.
     robust
-        ``"none"``, ``"soft_l1"``, ``"huber"`` or ``"cauchy"``: how far-off samples count less.  The noise is taken from the median residual of a plain fit.
+        ``"none"``, ``"soft_l1"``, ``"huber"`` or ``"cauchy"``: how far-off samples count less.  The noise is taken from
+        the median residual of a plain fit.
     weights
-        ``"measurement"`` for the weights that come with the data (solid angles, where the format has them), ``"uniform"``, or an array (N,) or (N, C).
+        ``"measurement"`` for the weights that come with the data (solid angles, where the format has them),
+        ``"uniform"``, or an array (N,) or (N, C).
     fixed
         Parameters to hold: names (at the model's values), or a mapping of names to values.
     per_channel
         Parameters to fit for each channel that are shared otherwise: ``["K_s"]`` for a coloured highlight (metals).
     max_theta
-        Leave out samples with theta_i or theta_r beyond this [rad]; goniometers are least sure there (Ngan et al. 2005 stopped at 80 degrees).
+        Leave out samples with theta_i or theta_r beyond this [rad]; goniometers are least sure there (Ngan et al. 2005
+        stopped at 80 degrees).
     time
         Which of the measurement's times.
     progress
@@ -88,13 +91,22 @@ def fit(
     """
     started = clock.perf_counter()
     if not isinstance(data, Measurement):
-        raise DataError(f"a {type(data).__name__} cannot be fitted: it is not a Measurement", "motes.read(path) or Measurement.from_arrays makes one")
+        raise DataError(
+            f"a {type(data).__name__} cannot be fitted: it is not a Measurement",
+            "motes.read(path) or Measurement.from_arrays makes one",
+        )
     if not 0 <= time < data.n_times:
-        raise DataError(f"time {time} is outside 0..{data.n_times - 1}: the measurement has {data.n_times} time(s)", "Choose one with time=")
+        raise DataError(
+            f"time {time} is outside 0..{data.n_times - 1}: the measurement has {data.n_times} time(s)",
+            "Choose one with time=",
+        )
     data = data.at(time) if data.n_times > 1 else data
     if max_theta is not None:
         if not 0 < max_theta <= HALF_PI:
-            raise DataError(f"max_theta = {max_theta:.4g} is outside (0, 1.571] rad", f"{max_theta:.4g} degrees is {math.radians(max_theta):.3f} rad")
+            raise DataError(
+                f"max_theta = {max_theta:.4g} is outside (0, 1.571] rad",
+                f"{max_theta:.4g} degrees is {math.radians(max_theta):.3f} rad",
+            )
         beyond = np.minimum(data.wi[:, 2], data.wo[:, 2]) < math.cos(max_theta)
         data = data.with_mask(beyond[None, :, None], f"theta beyond {math.degrees(max_theta):.3g} degrees")
     loss_named(loss), robust_named(robust)
@@ -113,7 +125,9 @@ def fit(
         if progress:
             progress(k, steps, candidate if isinstance(candidate, str) else describe(candidate))
         try:
-            attempt = _Attempt(compared, candidate, loss, robust, compared_weights, fixed, frozenset(per_channel), len(texts) > 1)
+            attempt = _Attempt(
+                compared, candidate, loss, robust, compared_weights, fixed, frozenset(per_channel), len(texts) > 1
+            )
         except DataError as error:
             too_few = error
             continue
@@ -145,14 +159,18 @@ def _weights(data: Measurement, weights: str | ArrayLike) -> Floats:
     given = given[:, None] if given.ndim == 1 else given
     if given.shape not in ((data.n_directions, 1), (data.n_directions, data.n_channels)):
         expected = f"({data.n_directions},) or ({data.n_directions}, {data.n_channels})"
-        raise DataError(f"weights of shape {np.shape(weights)} do not fit the data", f"Give an array of shape {expected}")
+        raise DataError(
+            f"weights of shape {np.shape(weights)} do not fit the data", f"Give an array of shape {expected}"
+        )
     if not (np.isfinite(given).all() and (given >= 0).all()):
         raise DataError("weights hold a negative or non-finite value", "Weights are 0 or positive")
     full = np.where(mask, given, 0.0)
     used = int(np.count_nonzero(full))
     if used == 0:
         reasons = ", ".join(f"{count} {reason}" for reason, count in data.masked.items()) or "all weights are 0"
-        raise DataError(f"no sample of {mask.size} is left to fit: {reasons}", "motes info DATA shows what was masked and why")
+        raise DataError(
+            f"no sample of {mask.size} is left to fit: {reasons}", "motes info DATA shows what was masked and why"
+        )
     return full * (used / full.sum())
 
 
@@ -199,7 +217,11 @@ class _Attempt:
         self.problem = Problem(
             model=brdf,
             quantities=quantities,
-            fixed={slot.name: self._held_value(slot.value, slot.parameter.per_channel) for slot in brdf.slots() if slot.name in held},
+            fixed={
+                slot.name: self._held_value(slot.value, slot.parameter.per_channel)
+                for slot in brdf.slots()
+                if slot.name in held
+            },
             wi=data.wi[used],
             wo=data.wo[used],
             values=np.where(full > 0, data.values[0], 0.0)[used],
@@ -208,10 +230,13 @@ class _Attempt:
             robust=ROBUST["none"],
         )
         if not quantities:
-            raise MotesError(f"every parameter of {describe(brdf)} is held, so there is nothing to fit", "Hold fewer parameters")
+            raise MotesError(
+                f"every parameter of {describe(brdf)} is held, so there is nothing to fit", "Hold fewer parameters"
+            )
         if self.problem.samples <= self.problem.size:
             raise DataError(
-                f"{self.problem.samples} usable sample(s) cannot determine the {self.problem.size} parameters of {describe(brdf)}",
+                f"{self.problem.samples} usable sample(s) cannot determine the {self.problem.size} parameters "
+                f"of {describe(brdf)}",
                 "Measure more directions, or fit a smaller model",
             )
         self.solution = self._solve(self._vector(start) if start else None, near)
@@ -227,7 +252,10 @@ class _Attempt:
             return value
         if per_channel and np.shape(value) in ((self.data.n_channels,), (1,)):
             return np.asarray(value)[None, None, :]
-        raise DataError(f"a held value of shape {np.shape(value)} does not fit {self.data.n_channels} channels", "Give one value, or one for each channel")
+        raise DataError(
+            f"a held value of shape {np.shape(value)} does not fit {self.data.n_channels} channels",
+            "Give one value, or one for each channel",
+        )
 
     def _vector(self, start: BRDF) -> Floats | None:
         """The values of a BRDF as a parameter vector; None when their shapes do not fit the data."""
@@ -250,7 +278,8 @@ class _Attempt:
             starts = near[None]
         else:
             starts = starting_points(problem, given, most=int(np.clip(600_000 // work, 3, 16)))
-            # With much data a pass is costly, and a part of it says nearly the same: thin the starts out on growing parts first.
+            # With much data a pass is costly, and a part of it says nearly the same: thin the starts out on growing
+            # parts first.
             for samples, most in ((20_000, 3), (COMPARED_SAMPLES, 1)):
                 if work > 3 * samples:
                     rough = minimize(self._part(samples).normal, starts, low, high, max_iterations=60, reduction=1e-7)
@@ -267,7 +296,13 @@ class _Attempt:
         """The problem at a part of the directions, drawn evenly."""
         problem = self.problem
         rows = _even_rows(len(problem.wi), max(200, samples // problem.channels))
-        return replace(problem, wi=problem.wi[rows], wo=problem.wo[rows], values=problem.values[rows], weights=problem.weights[rows])
+        return replace(
+            problem,
+            wi=problem.wi[rows],
+            wo=problem.wo[rows],
+            values=problem.values[rows],
+            weights=problem.weights[rows],
+        )
 
     def _predicted(self) -> Floats:
         """The fitted BRDF at all directions of the data (N, C), those without a usable sample included."""
@@ -307,10 +342,21 @@ class _Attempt:
         return _rms(self.predicted[mask] - measured) / max(_rms(measured), 1e-300)
 
     def trial(self) -> Trial:
-        return Trial(describe(self.brdf), self.problem.size, self.bic, self.relative_rms, self.objective, self.status, False, self.problem.samples)
+        return Trial(
+            describe(self.brdf),
+            self.problem.size,
+            self.bic,
+            self.relative_rms,
+            self.objective,
+            self.status,
+            False,
+            self.problem.samples,
+        )
 
     def fitted_brdf(self) -> BRDF:
-        values = {q.name: (self.x[q.where] if q.per_channel else float(self.x[q.where][0])) for q in self.problem.quantities}
+        values = {
+            q.name: (self.x[q.where] if q.per_channel else float(self.x[q.where][0])) for q in self.problem.quantities
+        }
         return self.brdf.with_parameters(values)
 
     def result(self, tried: tuple[Trial, ...], started: float) -> Fit:
@@ -327,7 +373,9 @@ class _Attempt:
             else:
                 stderr = np.full(np.shape(slot.value), np.nan) if np.ndim(slot.value) else math.nan
                 verdicts = (Verdict.FIXED,) * max(1, np.size(slot.value))
-            parameters[slot.name] = FittedParameter(slot.name, slot.value, stderr, verdicts, p.symbol, p.unit, p.doc, p.fit_bounds)
+            parameters[slot.name] = FittedParameter(
+                slot.name, slot.value, stderr, verdicts, p.symbol, p.unit, p.doc, p.fit_bounds
+            )
         metrics = self.metrics()
         data = self.data
         about = {
@@ -336,7 +384,10 @@ class _Attempt:
             "robust": self.robust,
             "relative_rms": metrics["relative_rms"],
             "status": str(self.status),
-            "stderr": {p.name: [None if not math.isfinite(e) else float(e) for e in np.atleast_1d(p.stderr)] for p in parameters.values()},
+            "stderr": {
+                p.name: [None if not math.isfinite(e) else float(e) for e in np.atleast_1d(p.stderr)]
+                for p in parameters.values()
+            },
         }
         wavelengths = () if data.wavelengths is None else tuple(float(w) for w in data.wavelengths)
         return Fit(

@@ -52,7 +52,15 @@ def parameter_rows(fit: Fit) -> list[dict[str, str]]:
             text, error = with_error(float(value), float(stderr))
             channel = fit.material.channels[k] if len(values) > 1 else ""
             rows.append(
-                {"name": p.name, "channel": channel, "value": text, "stderr": error, "unit": p.unit, "verdict": str(verdict), "meaning": p.doc}
+                {
+                    "name": p.name,
+                    "channel": channel,
+                    "value": text,
+                    "stderr": error,
+                    "unit": p.unit,
+                    "verdict": str(verdict),
+                    "meaning": p.doc,
+                }
             )
     return rows
 
@@ -109,7 +117,9 @@ def save_fit(fit: Fit, folder: str | os.PathLike[str]) -> Path:
     try:
         target.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise MotesError(f"{target} cannot be made: {error.strerror or error}", "Choose another folder with -o") from error
+        raise MotesError(
+            f"{target} cannot be made: {error.strerror or error}", "Choose another folder with -o"
+        ) from error
     fit.material.save(target / "material.json")
     write_text(target / "fit.json", json.dumps(fit_to_dict(fit), indent=1, allow_nan=False) + "\n")
     with replacing(target / "parameters.csv") as temporary, temporary.open("w", newline="", encoding="utf-8") as handle:

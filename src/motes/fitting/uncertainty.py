@@ -13,12 +13,13 @@ from motes.parameters import Parameter
 
 # An eigenvalue of the normal matrix (scaled to a diagonal of 1) below this: along its vector the data see nothing.
 NULL_EIGENVALUE = 1e-9
-# A parameter that, moved by the whole of its typical range, changes the residuals by less than this share of the data is not seen.
+# A parameter that, moved by the whole of its typical range, changes the residuals by less than this share of the data
+# is not seen.
 UNSEEN = 1e-6
 
 
 class Uncertainty(NamedTuple):
-    """Standard errors (P,), correlations (P, P) (NaN where undefined) and verdicts, one for each value of the parameter vector."""
+    """Standard errors (P,), correlations (P, P) (NaN where undefined) and verdicts, for a parameter vector."""
 
     stderr: Floats
     correlations: Floats
@@ -28,9 +29,9 @@ class Uncertainty(NamedTuple):
 def uncertainty(problem: Problem, x: Floats) -> Uncertainty:
     """The uncertainty of the solution `x` (P,).
 
-    The covariance is the sandwich H^-1 M H^-1 with H the normal matrix and M the sum of squared residuals times J'J (HC3, see `Problem.spread`):
-    it holds where the noise differs from sample to sample, and where the weights are solid angles rather than inverse variances.
-    """
+    The covariance is the sandwich H^-1 M H^-1 with H the normal matrix and M the sum of squared residuals times J'J
+    (HC3, see `Problem.spread`): it holds where the noise differs from sample to sample, and where the weights are solid
+    angles rather than inverse variances."""
     size = len(x)
     matrix = problem.normal(x[None]).matrix[0]
     low, high = problem.bounds
@@ -48,7 +49,7 @@ def uncertainty(problem: Problem, x: Floats) -> Uncertainty:
     diagonal = np.diag(matrix)
     unseen = diagonal * span**2 <= UNSEEN**2 * max(data, 1e-300)
     inside = np.array([v == Verdict.IDENTIFIED for v in verdicts])
-    for k in np.flatnonzero(unseen & inside):
+    for k in np.flatnonzero(unseen & inside).tolist():
         verdicts[k] = Verdict.UNIDENTIFIABLE
     free = np.flatnonzero(inside & ~unseen)
 
@@ -62,15 +63,15 @@ def uncertainty(problem: Problem, x: Floats) -> Uncertainty:
         inverse[np.ix_(free, free)] = (vectors * inverted) @ vectors.T * np.outer(scale, scale)
         covariance = inverse @ problem.spread(x, inverse) @ inverse
         stderr[free] = np.sqrt(np.diag(covariance)[free])
-        for k in free[np.any(np.abs(vectors[:, null]) > 0.1, axis=1)]:
+        for k in free[np.any(np.abs(vectors[:, null]) > 0.1, axis=1)].tolist():
             verdicts[k], stderr[k] = Verdict.UNIDENTIFIABLE, np.nan
-        for k in free:
+        for k in free.tolist():
             if verdicts[k] == Verdict.IDENTIFIED:
                 verdicts[k] = _verdict(declared[k], x[k], stderr[k])
         known = np.flatnonzero(np.isfinite(stderr) & (stderr > 0))
         correlations[np.ix_(known, known)] = covariance[np.ix_(known, known)] / np.outer(stderr[known], stderr[known])
     else:
-        for k in free:
+        for k in free.tolist():
             verdicts[k] = Verdict.UNIDENTIFIABLE
     return Uncertainty(stderr, correlations, verdicts)
 

@@ -104,16 +104,15 @@ def judge(
 def clipped(wi: NDArray[np.float64], wo: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Samples (T, N, C) that sit on a plateau at the maximum of their time and channel: the sensor's ceiling.
 
-    A plateau is called clipping when at least three *different* geometries share exactly the maximum, three times as
-    many as share any of the ten next lower values, and the maximum is at least three times the median.  Geometries that
+    A plateau is called clipping when at least three *different* geometries share exactly the maximum, twice as many as
+    share any of the ten next lower values, and the maximum is at least three times the median.  Geometries that
     isotropy and reciprocity make equal (mirror images, any azimuth at normal incidence, wi and wo swapped) count once:
     a noise-free simulation repeats its values there without any clipping.  The last two conditions spare rounded data
     of matte surfaces, which repeat every value.  A sensor that saturates once or twice is not found.
     """
+    # one number a geometry, so that the repeats of one can be told from a plateau
     cosines = np.sort(np.stack([wi[:, 2], wo[:, 2]]), axis=0)
     key = np.round(np.stack([*cosines, np.einsum("ni,ni->n", wi, wo)], axis=1), 5)
-    # one number a geometry, so that the repeats of one can be told from a plateau
-    geometry = np.unique(key, axis=0, return_inverse=True)[1].reshape(-1)
     result = np.zeros(values.shape, bool)
     for t in range(values.shape[0]):
         for c in range(values.shape[2]):
@@ -125,7 +124,7 @@ def clipped(wi: NDArray[np.float64], wo: NDArray[np.float64], values: NDArray[np
             if np.count_nonzero(v == top) < 3 or top < 3 * np.median(v[usable]):
                 continue
             levels = np.unique(v[usable])[-11:]
-            counts = [len(np.unique(geometry[v == level])) for level in levels]
-            if counts[-1] >= 3 and counts[-1] >= 3 * max(counts[:-1], default=1):
+            counts = [len(np.unique(key[v == level], axis=0)) for level in levels]
+            if counts[-1] >= 3 and counts[-1] >= 2 * max(counts[:-1], default=1):
                 result[t, :, c] = v == top
     return result

@@ -51,8 +51,8 @@ def sniff(path: Path, head: bytes) -> bool:
 
 def read(path: Path) -> Measurement:
     """The table as a measurement; rows of one time make a scan."""
-    numbered = ((n, line.partition("#")[0].strip()) for n, line in enumerate(_files.text(path).splitlines(), 1))
-    lines = [(n, line) for n, line in numbered if line]
+    numbered = ((n, line.partition("#")[0].rstrip(" \r")) for n, line in enumerate(_files.text(path).splitlines(), 1))
+    lines = [(n, line) for n, line in numbered if line.strip()]
     if len(lines) < 2:
         raise FormatError(f"{path} has {len(lines)} lines that are no comments", "It needs a header and a row a sample")
     separator = _separator(lines[0][1])

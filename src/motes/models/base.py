@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
-from dataclasses import dataclass
 from copy import copy
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar, NamedTuple, Self, TypeVar
 
 import numpy as np
@@ -35,9 +35,8 @@ class Sampled(NamedTuple):
 class Component:
     """A part of a BRDF with the lobe that samples it.
 
-    ``formula(xp, geometry)`` is the part's value [1/sr]; ``importance`` is about the share of light it reflects, a number or an array
-    that broadcasts against directions.
-    """
+    ``formula(xp, geometry)`` is the part's value [1/sr]; ``importance`` is about the share of light it reflects, a
+    number or an array that broadcasts against directions."""
 
     formula: Callable[[Array, Geometry], Array]
     lobe: Lobe
@@ -48,9 +47,8 @@ class Component:
 class BRDF(Parametrised, ABC):
     """A reflectance model with its parameters: an immutable value.
 
-    Parameters may be numbers, NumPy arrays, or tensors of PyTorch or JAX.  The last axis of a per-channel parameter (``K_d``, ``w``, ...) is the
-    channels; all other axes broadcast against the directions.
-    """
+    Parameters may be numbers, NumPy arrays, or tensors of PyTorch or JAX.  The last axis of a per-channel parameter
+    (``K_d``, ``w``, ...) is the channels; all other axes broadcast against the directions."""
 
     #: False when eval(wi, wo) differs from eval(wo, wi).
     reciprocal: ClassVar[bool] = True
@@ -73,8 +71,8 @@ class BRDF(Parametrised, ABC):
         Parameters
         ----------
         wi, wo
-            Unit vectors (..., 3) to the light and to the viewer, away from the surface, z the normal; they broadcast.  NumPy arrays, or
-            tensors of PyTorch or JAX; large NumPy arrays go through the compiled engine.
+            Unit vectors (..., 3) to the light and to the viewer, away from the surface, z the normal; they broadcast.
+            NumPy arrays, or tensors of PyTorch or JAX; large NumPy arrays go through the compiled engine.
 
         Returns
         -------
@@ -133,7 +131,10 @@ class BRDF(Parametrised, ABC):
             return Sampled(wo, pdf, self.eval(wi, wo) * scale[..., None])
 
     def pdf(self, wi: Array, wo: Array) -> Array:
-        """The density with which `sample` chooses ``wo`` [1/sr]; shape (...).  It integrates to 1 less the samples lost below the horizon."""
+        """The density with which `sample` chooses ``wo`` [1/sr]; shape (...).
+
+        It integrates to 1 less the share of samples lost below the horizon.
+        """
         wi, wo, xp = self._prepared(wi, wo)
         with np.errstate(all="ignore"):
             components, chances = self._chances(xp, wi)
@@ -145,8 +146,9 @@ class BRDF(Parametrised, ABC):
     def directional_albedo(self, wi: Array, *, nodes: tuple[int, int] = (48, 64)) -> Array:
         """The share of light from ``wi`` that the surface reflects: the integral of eval cos(theta_r) over ``wo``.
 
-        Each component is integrated in the coordinates of its own lobe: Gauss-Legendre along the polar angle, equal steps in azimuth.
-        About four digits with the default number of `nodes`; not the same as K_d, and for the models as printed it may exceed 1.
+        Each component is integrated in the coordinates of its own lobe: Gauss-Legendre along the polar angle, equal
+        steps in azimuth. About four digits with the default number of `nodes`; not the same as K_d, and for the models
+        as printed it may exceed 1.
 
         Parameters
         ----------
@@ -163,10 +165,15 @@ class BRDF(Parametrised, ABC):
         shape = np.broadcast_shapes(tuple(wi.shape[:-1]), *self._leading())
         if xp is NUMPY and np.prod(shape) > 256:  # a bounded number of pairs at a time
             flat = np.broadcast_to(wi, (*shape, 3)).reshape(-1, 3)
-            parts = [self._at(shape, k, k + 256).directional_albedo(flat[k : k + 256], nodes=nodes) for k in range(0, len(flat), 256)]
+            parts = [
+                self._at(shape, k, k + 256).directional_albedo(flat[k : k + 256], nodes=nodes)
+                for k in range(0, len(flat), 256)
+            ]
             return np.concatenate(parts).reshape(*shape, -1)
         polar, weights = np.polynomial.legendre.leggauss(nodes[0])
-        grid = np.stack(np.meshgrid(0.5 * (polar + 1), (np.arange(nodes[1]) + 0.5) / nodes[1], indexing="ij"), -1).reshape(-1, 2)
+        grid = np.stack(
+            np.meshgrid(0.5 * (polar + 1), (np.arange(nodes[1]) + 0.5) / nodes[1], indexing="ij"), -1
+        ).reshape(-1, 2)
         grid_weights = np.repeat(0.5 * weights / nodes[1], nodes[1])
         u, grid_weights = _like(grid, wi), _like(grid_weights, wi)
         wi = _broadcast(wi[..., None, :], (*wi.shape[:-1], len(grid), 3))
@@ -186,7 +193,7 @@ class BRDF(Parametrised, ABC):
         return total
 
     def spherical_albedo(self, *, nodes: int = 32) -> NDArray[np.float64]:
-        """The share of uniform light from the whole hemisphere that the surface reflects; shape (C,).  NumPy parameters only."""
+        """The share of uniform light from the hemisphere that is reflected; shape (C,).  NumPy parameters only."""
         x, weights = np.polynomial.legendre.leggauss(nodes)
         theta = 0.25 * np.pi * (x + 1)
         wi = np.stack([np.sin(theta), 0 * theta, np.cos(theta)], -1)
@@ -205,14 +212,19 @@ class BRDF(Parametrised, ABC):
         """`formula` above the horizon, 0 elsewhere; what the engine traces."""
         return geometry.above_horizon(self.formula(xp, geometry))
 
+    def _channel_counts(self) -> dict[str, int]:
+        """The length of the last axis of the per-channel parameters that are arrays."""
+        arrays = {slot.name: slot.value for slot in self.slots() if slot.parameter.per_channel}
+        return {name: value.shape[-1] for name, value in arrays.items() if len(getattr(value, "shape", ()))}
+
     @property
     def channels(self) -> int:
         """The number of channels: the longest last axis of the per-channel parameters, or 1."""
-        return max((s.value.shape[-1] for s in self.slots() if s.parameter.per_channel and getattr(s.value, "shape", ())), default=1)
+        return max(self._channel_counts().values(), default=1)
 
     def check_channels(self) -> None:
         """Raise `ParameterError` when two parameters disagree on the number of channels."""
-        counts = {s.name: s.value.shape[-1] for s in self.slots() if s.parameter.per_channel and getattr(s.value, "shape", ())}
+        counts = self._channel_counts()
         several = {name: n for name, n in counts.items() if n != 1}
         if len(set(several.values())) > 1:
             listed = ", ".join(f"{name} has {n}" for name, n in several.items())
@@ -231,7 +243,10 @@ class BRDF(Parametrised, ABC):
         xp = namespace(a, b, *values)
         foreign = next((x for x in (a, b, *values) if is_foreign(x)), None)
         prepared = []
-        for x, n, what in ((a, last[0], "directions"), (b, last[1], "directions" if last[1] == 3 else "random numbers")):
+        for x, n, what in (
+            (a, last[0], "directions"),
+            (b, last[1], "directions" if last[1] == 3 else "random numbers"),
+        ):
             if not is_foreign(x):
                 try:
                     x = np.asarray(x)
@@ -242,7 +257,9 @@ class BRDF(Parametrised, ABC):
                 if foreign is not None:
                     x = _like(x, foreign)
             if len(x.shape) == 0 or x.shape[-1] != n:
-                raise DataError(f"{what} of shape {tuple(x.shape)}: the last axis must have length {n}", f"Pass arrays (..., {n})")
+                raise DataError(
+                    f"{what} of shape {tuple(x.shape)}: the last axis must have length {n}", f"Pass arrays (..., {n})"
+                )
             prepared.append(x)
         shapes = [tuple(x.shape[:-1]) for x in prepared] + self._leading()
         try:
@@ -270,7 +287,8 @@ class BRDF(Parametrised, ABC):
         return _unchecked(self, changes)
 
     def _lifted(self, xp: Array, like: Array, extra_axes: int = 0) -> Self:
-        """A copy whose values broadcast against geometry of shape (..., 1): shared values get the channel axis, all the library and type.
+        """A copy whose values broadcast against geometry of shape (..., 1): shared values get the channel axis, all the
+        library and type.
 
         `extra_axes` are inserted between the axes of the directions and the channels.
         """
@@ -293,7 +311,7 @@ class BRDF(Parametrised, ABC):
         return _unchecked(self, changes)
 
     def _averaged(self, like: Array, extra_axes: int = 0) -> Self:
-        """A copy whose values broadcast against (...): the mean over the channels; `extra_axes` follow the axes of the directions."""
+        """A copy whose values broadcast against (...): means over the channels; `extra_axes` follow the directions."""
         changes = {}
         for slot in self.slots():
             value = slot.value

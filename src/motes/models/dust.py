@@ -2,11 +2,12 @@ r"""Blinn's top-lit dust, equations (12)-(13), and a layer of it over another su
 
 .. math::  f = \frac{w \Phi(\gamma, g)}{4 \pi (\cos\theta_i + \cos\theta_r)}
 
-Source: J. F. Blinn, "Light reflection functions for simulation of clouds and dusty surfaces", SIGGRAPH 1982, and appendix C of "Time-Varying BRDFs".
-"""
+Source: J. F. Blinn, "Light reflection functions for simulation of clouds and dusty surfaces", SIGGRAPH 1982, and
+appendix C of "Time-Varying BRDFs"."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import final
 
@@ -31,16 +32,23 @@ class Dust(BRDF):
     w, g
         Single-scattering albedo, and mean cosine of the deviation angle.
     form
-        ``"brdf"``: reciprocal, in 1/sr, what renders.  ``"brightness"``: equation (12) as printed, for comparing with published parameters; it equals the
-        BRDF times 4 pi cos(theta_i) and is not reciprocal.
+        ``"brdf"``: reciprocal, in 1/sr, what renders.  ``"brightness"``: equation (12) as printed, for comparing with
+        published parameters; it equals the BRDF times 4 pi cos(theta_i) and is not reciprocal.
 
     Notes
     -----
-    The deviation angle gamma is 0 when light goes straight on, so cos(gamma) = -(wi . wo), and g > 0 is forward scattering.  Single scattering
-    loses energy: white isotropic dust (w = 1, g = 0) returns (1 - ln 2)/2 = 15 % of light at normal incidence and 2 (1 - ln 2)/3 = 20 % of uniform light.
-    """
+    The deviation angle gamma is 0 when light goes straight on, so cos(gamma) = -(wi . wo), and g > 0 is forward
+    scattering.  Single scattering loses energy: white isotropic dust (w = 1, g = 0) returns (1 - ln 2)/2 = 15 % of
+    light at normal incidence and 2 (1 - ln 2)/3 = 20 % of uniform light."""
 
-    w: Array = parameter(0.6, bounds=(0, float("inf")), typical=(0, 1), symbol="w", doc="single-scattering albedo of the dust", per_channel=True)
+    w: Array = parameter(
+        0.6,
+        bounds=(0, float("inf")),
+        typical=(0, 1),
+        symbol="w",
+        doc="single-scattering albedo of the dust",
+        per_channel=True,
+    )
     g: Array = parameter(
         0.0,
         bounds=(-1, 1),
@@ -78,11 +86,11 @@ class Dust(BRDF):
 class DustLayer(BRDF):
     """A layer of dust of optical thickness ``tau`` over a base (Blinn 1982).
 
-    f = T f_base + (1 - T) f_dust with T = exp(-tau (1/cos(theta_i) + 1/cos(theta_r))): at tau = 0 the base, as tau grows the dust.
-    """
+    f = T f_base + (1 - T) f_dust with T = exp(-tau (1/cos(theta_i) + 1/cos(theta_r))): at tau = 0 the base, as tau
+    grows the dust."""
 
     base: BRDF
-    dust: Dust = Dust()  # noqa: RUF009 (an immutable value)
+    dust: Dust = Dust()
     tau: Array = parameter(
         0.2,
         bounds=(0, float("inf")),
@@ -115,7 +123,7 @@ class DustLayer(BRDF):
         parts += [(part, 1.0, 1 - through) for part in self.dust.components(xp, cos_theta_i)]
         return [Component(self._seen(part, own), part.lobe, part.importance * share) for part, own, share in parts]
 
-    def _seen(self, part: Component, own: float):  # type: ignore[no-untyped-def]
+    def _seen(self, part: Component, own: float) -> Callable[[Array, Geometry], Array]:
         """The formula of a part of the base seen through the layer (own = 0), or of the dust in the layer (own = 1)."""
 
         def formula(xp: Array, geometry: Geometry) -> Array:

@@ -1,8 +1,7 @@
 """Models as text: ``oren_nayar + torrance_sparrow(fresnel=dielectric(n=1.5))``.
 
-A name stands for a model with all parameters free; a value given in brackets fixes that parameter; options are given as words.  The text is parsed,
-never executed.
-"""
+A name stands for a model with all parameters free; a value given in brackets fixes that parameter; options are given as
+words.  The text is parsed, never executed."""
 
 from __future__ import annotations
 
@@ -30,7 +29,10 @@ MODELS: dict[str, type[Parametrised]] = {
 }
 FRESNEL: dict[str, type[Parametrised]] = {"dielectric": Dielectric, "conductor": Conductor, "schlick": Schlick}
 _NAMES = {cls: name for name, cls in (MODELS | FRESNEL).items()}
-_EXAMPLE = "Write for example 'oren_nayar + torrance_sparrow', or 'dust_layer(oren_nayar)'; the models are " + ", ".join(MODELS)
+_EXAMPLE = (
+    "Write for example 'oren_nayar + torrance_sparrow', or 'dust_layer(oren_nayar)'; the models are "
+    + ", ".join(MODELS)
+)
 _MOST_PARTS = 64
 
 
@@ -65,7 +67,12 @@ def parse(text: str) -> Parsed:
         model = _build(tree, (), fixed)
     except ParameterError:
         raise
-    except (SyntaxError, ValueError, MemoryError, RecursionError):  # ValueError: a NUL, or a number of thousands of digits
+    except (
+        SyntaxError,
+        ValueError,
+        MemoryError,
+        RecursionError,
+    ):  # ValueError: a NUL, or a number of thousands of digits
         raise ParameterError(f"model {shown} is not a sum of models", _EXAMPLE) from None
     if not isinstance(model, BRDF):
         raise ParameterError(f"model {shown} is a Fresnel term, not a BRDF", "Use it as torrance_sparrow(fresnel=...)")
@@ -84,11 +91,15 @@ def _build(node: ast.AST, path: tuple[str, ...], fixed: set[tuple[str, ...]]) ->
     given: dict[str, Any] = {}
     if isinstance(node, ast.Call):
         if len(node.args) > len(positional):
-            raise ParameterError(f"{ast.unparse(node)!r} has a value without a name", f"Write {call.id}({next(iter(known))}=...)")
+            raise ParameterError(
+                f"{ast.unparse(node)!r} has a value without a name", f"Write {call.id}({next(iter(known))}=...)"
+            )
         arguments = list(zip(positional, node.args, strict=False)) + [(k.arg or "**", k.value) for k in node.keywords]
         for name, value in arguments:
             if name not in known or name in given:
-                raise ParameterError(f"{call.id} has no parameter {name!r} (or it is given twice)", f"It has {', '.join(known)}")
+                raise ParameterError(
+                    f"{call.id} has no parameter {name!r} (or it is given twice)", f"It has {', '.join(known)}"
+                )
             given[name] = _value(value, known[name], (*path, name), fixed)
     if cls is DustLayer and "base" not in given:
         raise ParameterError("dust_layer has no base", "Write dust_layer(oren_nayar), say")
@@ -100,7 +111,9 @@ def _value(node: ast.AST, declared: Any, path: tuple[str, ...], fixed: set[tuple
         try:
             value = ast.literal_eval(node)
         except (ValueError, TypeError, SyntaxError, MemoryError, RecursionError):
-            raise ParameterError(f"{declared.name} = {ast.unparse(node)!r} is not a number or a list of numbers") from None
+            raise ParameterError(
+                f"{declared.name} = {ast.unparse(node)!r} is not a number or a list of numbers"
+            ) from None
         fixed.add(path)
         return value
     if isinstance(node, ast.Constant) and isinstance(node.value, str):

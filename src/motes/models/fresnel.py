@@ -1,4 +1,4 @@
-"""Fresnel reflection F of equation (9), evaluated at the facet, cos = wi . wh.  The source sets F = 1, and so does the default."""
+"""Fresnel reflection F of equation (9), evaluated at the facet, cos = wi . wh.  The source sets F = 1."""
 
 from __future__ import annotations
 
@@ -47,10 +47,24 @@ class Conductor(Fresnel):
     """Metals: a complex refractive index n + ik; exact."""
 
     n: Array = parameter(
-        1.0, bounds=(0.01, 20), fit_bounds=(0.05, 10), starts=(0.3, 2.0), symbol="n", doc="real part of the refractive index", per_channel=True, shared_in_fit=True
+        1.0,
+        bounds=(0.01, 20),
+        fit_bounds=(0.05, 10),
+        starts=(0.3, 2.0),
+        symbol="n",
+        doc="real part of the refractive index",
+        per_channel=True,
+        shared_in_fit=True,
     )
     k: Array = parameter(
-        3.0, bounds=(0, 30), fit_bounds=(0, 15), starts=(1.5, 5.0), symbol="k", doc="extinction coefficient", per_channel=True, shared_in_fit=True
+        3.0,
+        bounds=(0, 30),
+        fit_bounds=(0, 15),
+        starts=(1.5, 5.0),
+        symbol="k",
+        doc="extinction coefficient",
+        per_channel=True,
+        shared_in_fit=True,
     )
 
     def reflectance(self, xp: Array, cos_theta_d: Array) -> Array:
@@ -63,7 +77,13 @@ class Schlick(Fresnel):
     """Schlick's approximation from the reflectance at normal incidence: one parameter, good for a fit."""
 
     f0: Array = parameter(
-        0.04, bounds=(0, 1), starts=(0.03, 0.3), symbol="f_0", doc="reflectance at normal incidence", per_channel=True, shared_in_fit=True
+        0.04,
+        bounds=(0, 1),
+        starts=(0.03, 0.3),
+        symbol="f_0",
+        doc="reflectance at normal incidence",
+        per_channel=True,
+        shared_in_fit=True,
     )
 
     def reflectance(self, xp: Array, cos_theta_d: Array) -> Array:

@@ -21,7 +21,9 @@ from motes.parameters import parameter
 class Lambert(BRDF):
     """A matte surface that looks equally bright from everywhere; its directional albedo is ``K_d``."""
 
-    K_d: Array = parameter(0.5, bounds=(0, float("inf")), typical=(0, 1), symbol="K_d", doc="diffuse reflectance", per_channel=True)
+    K_d: Array = parameter(
+        0.5, bounds=(0, float("inf")), typical=(0, 1), symbol="K_d", doc="diffuse reflectance", per_channel=True
+    )
 
     def formula(self, xp: Array, geometry: Geometry) -> Array:
         return self.K_d * equations.INV_PI

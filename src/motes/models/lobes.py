@@ -1,8 +1,8 @@
 """Warps of the unit square onto the hemisphere, each with its exact density: what the models sample with.
 
-A lobe has ``sample(xp, wi, u)`` and ``pdf(xp, wi, wo)``; ``wi, wo`` are arrays (..., 3), ``u`` is (..., 2) in [0, 1), densities are per solid
-angle [1/sr] with shape (...).  A sample may fall below the horizon (`FacetLobe`): its energy is lost, and the density stays exact above.
-"""
+A lobe has ``sample(xp, wi, u)`` and ``pdf(xp, wi, wo)``; ``wi, wo`` are arrays (..., 3), ``u`` is (..., 2) in [0, 1),
+densities are per solid angle [1/sr] with shape (...).  A sample may fall below the horizon (`FacetLobe`): its energy is
+lost, and the density stays exact above."""
 
 from __future__ import annotations
 
@@ -45,8 +45,8 @@ class CosineLobe:
 class FacetLobe:
     """Mirror at a facet whose theta_h has the density proportional to theta_h exp(-(theta_h/sigma_s)^2) on [0, pi/2].
 
-    That is D of equation (10) but for theta_h / (sin(theta_h) cos(theta_h)), and its distribution inverts in closed form.
-    """
+    That is D of equation (10) but for theta_h / (sin(theta_h) cos(theta_h)), and its distribution inverts in closed
+    form."""
 
     sigma_s: Array
 

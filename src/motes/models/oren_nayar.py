@@ -2,8 +2,8 @@ r"""The full Oren-Nayar model of rough diffuse surfaces, equations (1)-(8): dire
 
 .. math::  f = \max(0, \rho_d^1 + \rho_d^2)
 
-Source: M. Oren, S. K. Nayar, "Generalization of Lambert's reflectance model", SIGGRAPH 1994, as printed in appendix A of "Time-Varying BRDFs".
-"""
+Source: M. Oren, S. K. Nayar, "Generalization of Lambert's reflectance model", SIGGRAPH 1994, as printed in appendix A
+of "Time-Varying BRDFs"."""
 
 from __future__ import annotations
 
@@ -25,12 +25,19 @@ class OrenNayar(BRDF):
 
     Notes
     -----
-    Equation (1) goes negative near grazing forward scatter for sigma_d >= 0.7; this model clamps the sum at 0.  It grows without bound where both
-    directions graze (eval times cos(theta_i) stays finite: fit on that).  It is not linear in K_d, and its albedo is not K_d: the
-    spherical albedo for K_d = 1 is 1.0002 at sigma_d = 0.1 and 0.80 at 1.0, and the directional one reaches 1.05.
-    """
+    Equation (1) goes negative near grazing forward scatter for sigma_d >= 0.7; this model clamps the sum at 0.  It
+    grows without bound where both directions graze (eval times cos(theta_i) stays finite: fit on that).  It is not
+    linear in K_d, and its albedo is not K_d: the spherical albedo for K_d = 1 is 1.0002 at sigma_d = 0.1 and 0.80 at
+    1.0, and the directional one reaches 1.05."""
 
-    K_d: Array = parameter(0.5, bounds=(0, float("inf")), typical=(0, 1), symbol="K_d", doc="diffuse reflectance of a facet", per_channel=True)
+    K_d: Array = parameter(
+        0.5,
+        bounds=(0, float("inf")),
+        typical=(0, 1),
+        symbol="K_d",
+        doc="diffuse reflectance of a facet",
+        per_channel=True,
+    )
     sigma_d: Array = parameter(
         0.3,
         bounds=(0, HALF_PI),

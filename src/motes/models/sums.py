@@ -22,7 +22,9 @@ class Sum(BRDF):
     def __post_init__(self) -> None:
         for part in (self.a, self.b):
             if not isinstance(part, BRDF):
-                raise ParameterError(f"Sum: {part!r} is not a BRDF", "A Fresnel term goes inside: TorranceSparrow(fresnel=...)")
+                raise ParameterError(
+                    f"Sum: {part!r} is not a BRDF", "A Fresnel term goes inside: TorranceSparrow(fresnel=...)"
+                )
         super().__post_init__()
 
     @property

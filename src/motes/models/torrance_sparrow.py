@@ -2,9 +2,8 @@ r"""The Torrance-Sparrow specular model, equations (9)-(11).
 
 .. math::  f = K_s \rho_s, \quad \rho_s = \frac{D G F}{4 \cos\theta_i \cos\theta_r}
 
-Source: K. E. Torrance, E. M. Sparrow, "Theory for off-specular reflection from roughened surfaces", JOSA 57(9), 1967, as printed in appendix B of
-"Time-Varying BRDFs".
-"""
+Source: K. E. Torrance, E. M. Sparrow, "Theory for off-specular reflection from roughened surfaces", JOSA 57(9), 1967,
+as printed in appendix B of "Time-Varying BRDFs"."""
 
 from __future__ import annotations
 
@@ -33,8 +32,9 @@ class TorranceSparrow(BRDF):
     K_s, sigma_s
         Strength, and width [rad], of the highlight.
     normalization
-        ``"printed"``: D(0) = 1 as in equation (10), so that the energy goes with sigma_s^2 and K_s is the height of the highlight.  ``"facets"``: D is
-        divided by the facets' projected area (exactly, not by pi sigma_s^2), so that K_s is about the energy.
+        ``"printed"``: D(0) = 1 as in equation (10), so that the energy goes with sigma_s^2 and K_s is the height of the
+        highlight.  ``"facets"``: D is divided by the facets' projected area (exactly, not by pi sigma_s^2), so that K_s
+        is about the energy.
     fresnel
         None for F = 1 as in the source, or `Dielectric`, `Conductor`, `Schlick`.
     """
@@ -63,9 +63,14 @@ class TorranceSparrow(BRDF):
 
     def __post_init__(self) -> None:
         if self.normalization not in NORMALIZATIONS:
-            raise ParameterError(f"TorranceSparrow: normalization = {self.normalization!r} is not one of {', '.join(NORMALIZATIONS)}")
+            raise ParameterError(
+                f"TorranceSparrow: normalization = {self.normalization!r} is not one of {', '.join(NORMALIZATIONS)}"
+            )
         if not (self.fresnel is None or isinstance(self.fresnel, Fresnel)):
-            raise ParameterError(f"TorranceSparrow: fresnel = {self.fresnel!r} is not a Fresnel term", "Give Dielectric(n), Conductor(n, k), Schlick(f0) or None")
+            raise ParameterError(
+                f"TorranceSparrow: fresnel = {self.fresnel!r} is not a Fresnel term",
+                "Give Dielectric(n), Conductor(n, k), Schlick(f0) or None",
+            )
         super().__post_init__()
 
     def _distribution(self, xp: Array, theta_h: Array) -> Array:

@@ -16,6 +16,8 @@ from motes.report.color import Floats
 
 # More samples than this are thinned where every one would be drawn or counted; pictures of averages use them all.
 MOST_DOTS = 6000
+# From so many samples on, any slice finds enough of them close by.
+DENSE = 20_000
 # Angles of incidence [deg] that one wants to see, grazing included; the nearest that were measured are taken.
 TARGETS = (0, 15, 30, 45, 60, 75, 85)
 NEAR_MIRROR = np.deg2rad(6.0)
@@ -92,8 +94,11 @@ class Slice:
 
 def distinct_angles(theta: Floats, most: int = 12) -> Floats | None:
     """The angles [rad] of a measurement on a regular set of them (to half a degree), or None where there are more than `most`."""
-    rounded = np.unique(np.round(np.degrees(theta) * 2) / 2)
-    return np.deg2rad(rounded) if len(rounded) <= most else None
+    for part in (theta[:: max(1, len(theta) // 500)], theta):  # a few tell, most times
+        rounded = np.unique(np.round(np.degrees(part) * 2))
+        if len(rounded) > most:
+            return None
+    return np.deg2rad(rounded / 2)
 
 
 @dataclass(frozen=True)
@@ -116,7 +121,7 @@ def polar_slices(samples: Samples, *, across: bool = False, most: int = 6) -> Sl
     if across:  # normal incidence has no plane, and would be shown twice
         off_plane = np.where(samples.theta_i < np.deg2rad(3), np.inf, off_plane)
     regular = distinct_angles(samples.theta_i) is not None
-    off_angle = np.deg2rad(0.6 if regular else 1.0 if len(samples) > 20_000 else 3.0)
+    off_angle = np.deg2rad(0.6 if regular else 1.0 if len(samples) > DENSE else 3.0)
     tolerance = 0.0
     found: list[Slice] = []
     for degrees in (0.6, 1.5, 3, 5):
@@ -145,9 +150,10 @@ def _panels(near: Samples, off_angle: float, across: bool, most: int) -> list[Sl
             signed, chosen = signed[first], chosen.take(first)
         if len(signed) >= 3:
             panels.append(Slice(float(np.mean(chosen.theta_i)), signed, chosen, across))
-    if len(panels) > most:  # the fullest, but always the most grazing one
-        rank = sorted(range(len(panels) - 1), key=lambda k: -len(panels[k].theta_r))[: most - 1]
-        panels = [panels[k] for k in sorted({*rank, len(panels) - 1})]
+    if len(panels) > most:  # the well filled ones, spread evenly, the most grazing one among them
+        typical = np.median([len(s.theta_r) for s in panels])
+        panels = [s for s in panels if len(s.theta_r) >= 0.6 * typical]
+        panels = [panels[k] for k in np.unique(np.linspace(0, len(panels) - 1, most).round().astype(int))]
     return panels
 
 
@@ -156,6 +162,8 @@ def _centers(theta_i: Floats, off_angle: float) -> list[float]:
     regular = distinct_angles(theta_i)
     if regular is not None:
         return [float(t) for t in regular]
+    if len(theta_i) > DENSE:
+        return [float(t) for t in np.deg2rad(TARGETS[1:])]
     centers: list[float] = []
     for target in np.deg2rad(TARGETS):
         candidates = target + np.deg2rad(np.arange(-5, 5.5, 0.5))
@@ -203,22 +211,23 @@ def near_mirror(samples: Samples) -> NearMirror | None:
     step = np.deg2rad(5)
     centers = regular if regular is not None else np.arange(0.5, 18) * step
     half = np.deg2rad(0.6) if regular is not None else step / 2
-    rows = []
+    near = samples.take(samples.from_mirror <= NEAR_MIRROR)
+    far = samples.take(samples.from_mirror > np.deg2rad(45)).thinned()
+    rows, elsewhere = [], []
     for center in centers:
-        which = np.flatnonzero(np.abs(samples.theta_i - center) <= half)
-        if not len(which):
-            continue
-        nearest = which[np.argmin(samples.from_mirror[which])]
-        if samples.from_mirror[nearest] > NEAR_MIRROR:
-            continue
-        far = samples.ratio[which[samples.from_mirror[which] > np.deg2rad(45)]]
-        far = far[np.isfinite(far)]
-        rows.append((nearest, np.median(far) if far.size else np.nan))
+        which = np.flatnonzero(np.abs(near.theta_i - center) <= half)
+        if len(which):
+            rows.append(which[np.argmin(near.from_mirror[which])])
+            elsewhere.append(_median(far.ratio[np.abs(far.theta_i - center) <= half]))
     if len(rows) < 3:
         return None
-    index = np.array([k for k, _ in rows])
-    at = samples.take(index)
-    return NearMirror(at.theta_i, at.from_mirror, at.measured, at.fitted, np.array([r for _, r in rows]))
+    at = near.take(np.array(rows))
+    return NearMirror(at.theta_i, at.from_mirror, at.measured, at.fitted, np.array(elsewhere))
+
+
+def _median(values: Floats) -> float:
+    values = values[np.isfinite(values)]
+    return float(np.median(values)) if values.size else float("nan")
 
 
 def binned(x: Floats, y: Floats, edges: Floats) -> tuple[Floats, Floats]:
