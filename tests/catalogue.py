@@ -6,10 +6,12 @@ the table (see `golden`) and from closed forms that are written here in another 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 import numpy as np
+import pytest
 from golden import Rows
 from numpy.typing import NDArray
 from scipy.integrate import quad
@@ -279,3 +281,11 @@ SPECIAL = {
 }
 SPECIAL_WI = np.stack([wi for wi, _ in SPECIAL.values()])
 SPECIAL_WO = np.stack([wo for _, wo in SPECIAL.values()])
+
+
+@contextmanager
+def jax_in_float64() -> Iterator[None]:
+    """JAX computes in float32 unless told otherwise; the switch has moved between versions."""
+    jax = pytest.importorskip("jax")
+    with jax.enable_x64(True) if hasattr(jax, "enable_x64") else jax.experimental.enable_x64():
+        yield

@@ -70,7 +70,7 @@ def tensor_file(fields: dict[str, np.ndarray]) -> bytes:
 
 
 def rgl_fields(n_phi: int = 1, n_theta: int = 4, size: int = 6, grid: int = 5, seed: int = 6) -> dict[str, np.ndarray]:
-    """Positive random tensors; `n_phi` > 2 is anisotropic, phi_i over a quarter of the circle: two mirror symmetries."""
+    """Positive random tensors; `n_phi` > 2 is anisotropic: phi_i over a quarter of the circle, two mirrors."""
     rng = np.random.default_rng(seed)
 
     def f4(*shape: int) -> np.ndarray:
@@ -83,8 +83,9 @@ def rgl_fields(n_phi: int = 1, n_theta: int = 4, size: int = 6, grid: int = 5, s
         "jacobian": np.array([1], "u1"),
         "phi_i": phi_i.astype("<f4"),
         "theta_i": (np.linspace(0, 1, n_theta) ** 0.7 * np.pi / 2).astype("<f4"),
-        "ndf": f4(2 if n_phi == 1 else 7, 9),
-        "sigma": f4(2 if n_phi == 1 else 7, 8),
+        # neither knows the azimuth where the material is isotropic
+        "ndf": np.tile(f4(1, 9), (2, 1)) if n_phi == 1 else f4(7, 9),
+        "sigma": np.tile(f4(1, 8), (2, 1)) if n_phi == 1 else f4(7, 8),
         "vndf": f4(n_phi, n_theta, size, size + 1),
         "luminance": f4(n_phi, n_theta, grid, grid),
         "rgb": f4(n_phi, n_theta, 3, grid, grid),

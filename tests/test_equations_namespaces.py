@@ -5,14 +5,14 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import golden
 import numpy as np
 import pytest
+from catalogue import jax_in_float64
 from golden import Rows
 from golden.equations import EQUATIONS, Equation
 from numpy.testing import assert_allclose
@@ -22,13 +22,6 @@ from motes import tracing
 from motes.arrays import NUMPY, namespace
 
 Column = NDArray[np.float64]
-
-
-@contextmanager
-def jax_in_float64() -> Iterator[None]:
-    jax = pytest.importorskip("jax")
-    with jax.enable_x64(True) if hasattr(jax, "enable_x64") else jax.experimental.enable_x64():
-        yield
 
 
 def over_torch(equation: Equation, rows: Rows) -> Column:
@@ -89,7 +82,6 @@ def rows() -> Rows:
     return golden.appendices()
 
 
-@pytest.mark.filterwarnings("ignore:overflow encountered:RuntimeWarning")
 @pytest.mark.parametrize("name", EQUATIONS)
 @pytest.mark.parametrize("library", NAMESPACES)
 def test_the_same_numbers(rows: Rows, library: str, name: str) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import functools
 from pathlib import Path
 
 import mpmath as mp
@@ -26,6 +27,7 @@ def _read(source: str, name: str) -> dict[str, list[str]]:
     return {name: [row[name] for row in rows] for name in rows[0]}
 
 
+@functools.cache
 def appendices(source: str = "copied") -> Rows:
     """The columns of appendices.csv, the directions ``wi, wo`` (N, 3), and the arguments of the equations.
 

@@ -19,17 +19,9 @@ Progress = Callable[[int, int, str], None]
 PIPE_WIDTH = 140  # columns when the output is not a terminal: wide enough that no table wraps
 
 
-def print_facts(rows: Sequence[tuple[str, str]]) -> None:
-    """Pairs of a label and a text to standard output."""
-    print(facts(rows))
-
-
-def print_table(table: Table) -> None:
-    """A table to standard output, without blanks at the ends of its lines."""
-    console = Console(width=None if sys.stdout.isatty() else PIPE_WIDTH, markup=False, highlight=False, emoji=False)
-    with console.capture() as capture:
-        console.print(table)
-    print("\n".join(line.rstrip() for line in capture.get().splitlines()))
+def width() -> int:
+    """Columns of the terminal, or of a table that goes to a file."""
+    return shutil.get_terminal_size().columns if sys.stdout.isatty() else PIPE_WIDTH
 
 
 def clean(text: object) -> str:
@@ -37,17 +29,23 @@ def clean(text: object) -> str:
     return "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in str(text))
 
 
-def facts(rows: Sequence[tuple[str, str]]) -> str:
-    """Pairs of a label and a text as lines, the texts aligned, and wrapped to the width of a terminal."""
-    label_width = max((len(label) for label, _ in rows), default=0) + 2
-    width = shutil.get_terminal_size().columns - label_width if sys.stdout.isatty() else 10**6
-    lines = []
+def print_facts(rows: Sequence[tuple[str, str]]) -> None:
+    """Pairs of a label and a text to standard output, the texts aligned, and wrapped to the width of a terminal."""
+    indent = max((len(label) for label, _ in rows), default=0) + 2
+    room = max(width() - indent, 20) if sys.stdout.isatty() else 10**6
     for label, text in rows:
         for paragraph in text.split("\n"):
-            for line in textwrap.wrap(clean(paragraph), max(width, 20)) or [""]:
-                lines.append(f"{label:<{label_width}}{line}".rstrip())
+            for line in textwrap.wrap(clean(paragraph), room) or [""]:
+                print(f"{label:<{indent}}{line}".rstrip())
                 label = ""
-    return "\n".join(lines)
+
+
+def print_table(table: Table) -> None:
+    """A table to standard output, without blanks at the ends of its lines."""
+    console = Console(width=width(), markup=False, highlight=False, emoji=False)
+    with console.capture() as capture:
+        console.print(table)
+    print("\n".join(line.rstrip() for line in capture.get().splitlines()))
 
 
 def print_json(data: Mapping[str, Any]) -> None:

@@ -31,6 +31,8 @@ def demo(
     time
         Which of the twelve scans to fit, from 0; -1 is the last.
     """
+    import numpy as np
+
     from motes._cli import console
     from motes._cli.fit import fit_and_write, load_measurement
     from motes.ageing import drying_plaster
@@ -38,11 +40,9 @@ def demo(
     folder = Path(output)
     plaster = folder / "plaster"
     _simulate(plaster, common)
-    measurement = load_measurement(str(plaster), Reading())
+    measurement = load_measurement(str(plaster), Reading(), common)
     hours = float(measurement.times[time % measurement.n_times])
-    truth = {
-        slot.name: getattr(slot.value, "tolist", lambda v=slot.value: v)() for slot in drying_plaster(hours).slots()
-    }
+    truth = {name: np.asarray(value).tolist() for name, value in drying_plaster(hours).parameters.items()}
     if not (common.quiet or common.json):
         console.print_facts([("simulated", f"{plaster}/: {measurement.n_times} scans of a drying plaster, 2 % noise")])
     return fit_and_write(measurement, time, folder, True, {}, common, truth)

@@ -75,7 +75,7 @@ def fit(
                 f"--fix {name}={value} is not a number or numbers",
                 f"Write --fix {name}=0.3, or --fix {name}=0.7,0.6,0.5",
             )
-    measurement = load_measurement(data, reading)
+    measurement = load_measurement(data, reading, common)
     folder = Path(output) if output is not None else Path(f"motes-{slug(measurement.name)}")
     options = {
         "model": model,
@@ -88,14 +88,16 @@ def fit(
     return fit_and_write(measurement, time, folder, report, options, common)
 
 
-def load_measurement(data: str, reading: Reading) -> Measurement:
+def load_measurement(data: str, reading: Reading, common: Common) -> Measurement:
     """The measurement at a path; other things that Motes reads are an error that names the right command."""
+    from motes._cli.console import progress
     from motes._cli.paths import existing, material_at
     from motes.errors import DataError
     from motes.measurements import Measurement, read
 
     path = existing(data)
-    measured = None if material_at(path) else read(path, **reading.options())
+    with progress(common, f"reading {path.name}"):
+        measured = None if material_at(path) else read(path, **reading.options())
     if not isinstance(measured, Measurement):
         raise DataError(
             f"{data} holds fitted parameters already, not measured reflectance", f"motes info {data} shows them"

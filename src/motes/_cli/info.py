@@ -53,7 +53,8 @@ def info(
             ("next", f"motes info {data} --sample {samples[0]}"),
         ]
     else:
-        summary = read(path, **options).summary()
+        with console.progress(common, f"reading {path.name}"):
+            summary = read(path, **options).summary()
         rows = _maps(summary) if "mean" in summary else _measurement(summary)
     if common.json:
         console.print_json(summary)

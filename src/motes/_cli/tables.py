@@ -9,39 +9,48 @@ from rich import box
 from rich.table import Table
 
 from motes._cli.console import clean
+from motes._cli.console import width as console_width
 from motes.models import BRDF
 
 if TYPE_CHECKING:
     from motes.fitting import Fit
 
-MOST_COLUMNS = 4  # channels that have a column of their own
+MOST_CHANNELS = 4  # that are listed one by one
+WIDE = 130  # columns of a terminal that has room for a column a channel, and for what the parameters mean
 
 
 def parameter_table(fit: Fit, truth: dict[str, Any] | None = None) -> Table:
-    """A row a parameter, a column a channel where there are few; with the true values where they are known."""
+    """A row a parameter; few channels are listed one by one, side by side where there is room.
+
+    `truth` holds the true values, where they are known.
+    """
     rows = fit.table()
     channels = fit.material.channels
-    wide = any(row["channel"] for row in rows) and len(channels) <= MOST_COLUMNS
+    wide = console_width() >= WIDE
+    few = 1 < len(channels) <= MOST_CHANNELS
     table = _table()
-    for heading in channels if wide else ("value",):
+    for heading in channels if wide and few else ("value",):
         table.add_column(clean(heading), justify="right", no_wrap=True)
     table.add_column("unit")
     if truth:
         table.add_column("true", justify="right")
     table.add_column("verdict")
-    table.add_column("meaning", overflow="fold")
+    if wide:
+        table.add_column("meaning")
     for name, parameter in fit.parameters.items():
         own = [row for row in rows if row["name"] == name]
-        cells = [_value(row) for row in own]
         if len(own) == 1:
-            cells += [""] * (len(channels) - 1 if wide else 0)
-        elif not wide:
+            cells = [_value(own[0])]
+        elif few:
+            cells = [_value(row) if wide else f"{clean(row['channel'])} {_value(row)}" for row in own]
+        else:
             cells = [_numbers(parameter.value)]
+        cells = cells + [""] * (len(channels) - len(cells)) if wide and few else ["\n".join(cells)]
         cells.append(parameter.unit)
         if truth:
-            cells.append(_numbers(truth.get(name)))
-        cells += [str(parameter.verdict).partition(":")[0], parameter.doc]
-        table.add_row(name, *cells)
+            cells.append(_numbers(truth.get(name), ", " if wide else "\n"))
+        cells.append(str(parameter.verdict).partition(":")[0])
+        table.add_row(name, *cells, *([parameter.doc] if wide else []))
     return table
 
 
@@ -79,10 +88,10 @@ def _value(row: dict[str, str]) -> str:
     return f"{row['value']} ± {row['stderr']}" if row["stderr"] else row["value"]
 
 
-def _numbers(value: Any) -> str:
+def _numbers(value: Any, separator: str = ", ") -> str:
     if value is None:
         return ""
     values = np.atleast_1d(value)
-    if values.size > MOST_COLUMNS:
+    if values.size > MOST_CHANNELS:
         return f"{values.min():.4g} .. {values.max():.4g} in {values.size} channels"
-    return ", ".join(f"{x:.4g}" for x in values)
+    return separator.join(f"{x:.4g}" for x in values)

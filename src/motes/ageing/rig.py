@@ -202,8 +202,8 @@ def simulate(
         recorded.append(rig.record(brdf, noise, rng))
     if progress:
         progress(scans, scans, "writing")
-    write_tvbrdf(
-        folder,
+    return write_tvbrdf(
+        Path(folder),
         name=name or Path(folder).name,
         process=process,
         times_seconds=[3600 * float(time) for time in times],
@@ -211,4 +211,3 @@ def simulate(
         exposures=rig.exposures,
         irradiance=rig.irradiance,
     )
-    return Path(folder)

@@ -114,7 +114,7 @@ def exp_parts(x):
     shifted = x * F(1.4426950408889634) + F({shift!r})
     k = shifted - F({shift!r})
     r = (x - k * F({ln2[0]!r})) - k * F({ln2[1]!r})
-    s = float_of((bits_of(shifted) + I({exponent})) << I({fraction}))
+    s = float_of(I((bits_of(shifted) + I({exponent})) << I({fraction})))
     p = {exp}
     return s, p * (r * r) + r
 

@@ -71,6 +71,15 @@ def gather(lanes, source, step, stride, scratch, count):
 
 
 @part
+def columns(lanes, source, step, stride, room, count):
+    """Where rows one after the other in memory begin, and how far apart they are: `source` itself or a copy in `room`."""
+    if step == 1:
+        return source, stride
+    gather(lanes, source, step, stride, room, count)
+    return room, TILE
+
+
+@part
 def scatter(lanes, scratch, target, step, stride, count):
     """The reverse of `gather`."""
     if lanes == 3 and step == 3 and stride == 1:
@@ -92,20 +101,14 @@ _EVALUATE = '''
 def evaluate(wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, varying, row, out, out_step, out_stride, room, first, last):
     for start in range(first, last, TILE):
         count = min(TILE, last - start)
-        i, i_row = wi + ITEM * wi_step * start, wi_stride
-        if wi_step != 1:
-            gather(3, i, wi_step, wi_stride, room, count)
-            i, i_row = room, TILE
-        o, o_row = wo + ITEM * wo_step * start, wo_stride
-        if wo_step != 1:
-            gather(3, o, wo_step, wo_stride, room + 3 * ITEM * TILE, count)
-            o, o_row = room + 3 * ITEM * TILE, TILE
-        f, f_row = out + ITEM * out_step * start, out_stride
+        i, i_row = columns(3, wi + ITEM * start * wi_step, wi_step, wi_stride, room, count)
+        o, o_row = columns(3, wo + ITEM * start * wo_step, wo_step, wo_stride, room + 3 * ITEM * TILE, count)
+        f, f_row = out + ITEM * start * out_step, out_stride
         if out_step != 1:
             f, f_row = room + 6 * ITEM * TILE, TILE
         span(i, i_row, o, o_row, constants, varying + ITEM * start, row, f, f_row, count)
         if out_step != 1:
-            scatter({channels}, f, out + ITEM * out_step * start, out_step, out_stride, count)
+            scatter({channels}, f, out + ITEM * start * out_step, out_step, out_stride, count)
 '''
 
 _GRADIENT = '''
@@ -116,18 +119,9 @@ def gradient(
 ):
     for start in range(first, last, TILE):
         count = min(TILE, last - start)
-        i, i_row = wi + ITEM * wi_step * start, wi_stride
-        if wi_step != 1:
-            gather(3, i, wi_step, wi_stride, room, count)
-            i, i_row = room, TILE
-        o, o_row = wo + ITEM * wo_step * start, wo_stride
-        if wo_step != 1:
-            gather(3, o, wo_step, wo_stride, room + 3 * ITEM * TILE, count)
-            o, o_row = room + 3 * ITEM * TILE, TILE
-        f, f_row = seed + ITEM * seed_step * start, seed_stride
-        if seed_step != 1:
-            gather({channels}, f, seed_step, seed_stride, room + 6 * ITEM * TILE, count)
-            f, f_row = room + 6 * ITEM * TILE, TILE
+        i, i_row = columns(3, wi + ITEM * start * wi_step, wi_step, wi_stride, room, count)
+        o, o_row = columns(3, wo + ITEM * start * wo_step, wo_step, wo_stride, room + 3 * ITEM * TILE, count)
+        f, f_row = columns({channels}, seed + ITEM * start * seed_step, seed_step, seed_stride, room + 6 * ITEM * TILE, count)
         span(i, i_row, o, o_row, constants, varying + ITEM * start, row, f, f_row, slopes + ITEM * start, totals, count)
 '''
 

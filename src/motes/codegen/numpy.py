@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from motes import tracing
 from motes.codegen.printer import ARITHMETIC, Target, statements
 from motes.parameters import Parametrised
+from motes.tracing import Symbol
 
 Columns = tuple[NDArray[np.float64], ...]
 
@@ -40,6 +41,12 @@ def function(name: str, arguments: Sequence[str], body: Sequence[str], results: 
     """The text of a Python function that returns a tuple."""
     returned = ", ".join(results) + ("," if len(results) == 1 else "")
     return "\n    ".join([f"def {name}({', '.join(arguments)}):", *body, f"return ({returned})"]) + "\n"
+
+
+def scalar_function(name: str, arguments: Mapping[Symbol, str], results: Sequence[Symbol]) -> Callable[..., tuple[Any, ...]]:
+    """A function of numbers (or arrays) that computes `results`, straight from memory."""
+    body, texts = statements(NUMPY, results, arguments)
+    return compiled(f"{_HEADER}\n\n{function(name, list(arguments.values()), body, texts)}", name)[name]
 
 
 def compiled(source: str, title: str) -> dict[str, Any]:

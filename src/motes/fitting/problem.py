@@ -57,7 +57,8 @@ class Problem:
     wi, wo
         Directions (N, 3), all above the horizon.
     values, weights
-        Measured BRDF and weights (N, C); the weight is 0 where masked, and the value is finite everywhere.
+        Measured BRDF and weights (N, C), or (T, N, C) for T data sets at the same directions; the weight is 0 where
+        masked, and the value is finite everywhere.
     loss, robust, scale
         The residuals' transform; the robust function, and the noise in units of which it measures residuals.
     """
@@ -92,7 +93,7 @@ class Problem:
 
     @property
     def channels(self) -> int:
-        return self.values.shape[1]
+        return self.values.shape[-1]
 
     @property
     def size(self) -> int:
@@ -126,9 +127,11 @@ class Problem:
 
     # ------------------------------------------------------------ evaluation
 
-    def normal(self, x: Floats) -> Normal:
-        """Objectives and normal equations for parameter vectors ``x`` (B, P)."""
-        results = self._mapped(lambda rows: self._normal_part(x, rows), len(x))
+    def normal(self, x: Floats, sets: NDArray[np.intp] | None = None) -> Normal:
+        """Objectives and normal equations for parameter vectors ``x`` (B, P).
+
+        ``sets`` (B,) says which of T data sets each vector belongs to."""
+        results = self._mapped(lambda rows: self._normal_part(x, rows, sets), len(x))
         return Normal(*(np.sum(parts, axis=0) for parts in zip(*results, strict=True)))
 
     def predicted(self, x: Floats) -> Floats:
@@ -142,17 +145,17 @@ class Problem:
         """Weighted residuals (N, C) for one parameter vector (P,); 0 where masked."""
         return self._roots * (self.loss.transform(self.predicted(x), self._cosines) - self._targets)
 
-    def spread(self, x: Floats, inverse: Floats) -> Floats:
+    def spread(self, x: Floats, inverse: Floats, sets: NDArray[np.intp] | None = None) -> Floats:
         """The middle of the sandwich estimator (P, P): the sum of (psi / (1 - h))^2 J' J for one parameter vector.
 
         ``inverse`` is the inverse normal matrix, h = J inverse J' the leverage of a sample, psi its (robust) weighted
         residual: MacKinnon and White's HC3 (1985).  It needs no assumption that the noise is the same everywhere, or
         goes with the weights."""
-        results = self._mapped(lambda rows: (self._spread_part(x[None], inverse, rows),), 1)
+        results = self._mapped(lambda rows: (self._spread_part(x[None], inverse, rows, sets),), 1)
         return np.sum([part for (part,) in results], axis=0)
 
-    def _normal_part(self, x: Floats, rows: slice) -> tuple[Floats, Floats, Floats]:
-        residual, jacobian = self._linearised(x, rows)
+    def _normal_part(self, x: Floats, rows: slice, sets: NDArray[np.intp] | None) -> tuple[Floats, Floats, Floats]:
+        residual, jacobian = self._linearised(x, rows, sets)
         z = (residual / self.scale) ** 2
         objective = 0.5 * self.scale**2 * self.robust.rho(z).sum(axis=(1, 2))
         if self.robust.name != "none":
@@ -164,8 +167,8 @@ class Problem:
         slopes = (transposed @ np.moveaxis(residual, 2, 1)[..., None])[..., 0]  # (B, C, K)
         return objective, self._vector(slopes), self._matrix(products)
 
-    def _spread_part(self, x: Floats, inverse: Floats, rows: slice) -> Floats:
-        residual, jacobian = self._linearised(x, rows)
+    def _spread_part(self, x: Floats, inverse: Floats, rows: slice, sets: NDArray[np.intp] | None) -> Floats:
+        residual, jacobian = self._linearised(x, rows, sets)
         z = (residual / self.scale) ** 2
         psi = np.moveaxis(residual * self.robust.slope(z), 2, 1)[0]  # (C, n)
         index = self._index()  # (C, K)
@@ -174,18 +177,27 @@ class Problem:
         scaled = jacobian[0] * (psi / np.maximum(1 - leverage, 0.05))[..., None]
         return self._matrix((np.swapaxes(scaled, 1, 2) @ scaled)[None])[0]
 
-    def _linearised(self, x: Floats, rows: slice) -> tuple[Floats, Floats]:
+    def _linearised(self, x: Floats, rows: slice, sets: NDArray[np.intp] | None) -> tuple[Floats, Floats]:
         """Weighted residuals (B, n, C) and their derivatives (B, C, n, K): per-channel parameters, then shared."""
         f, derivatives = self._function.values_and_jacobian(self._rows(rows), self._arguments(x))
         f = self._broadcast(f, rows, len(x))
-        roots, cosines = self._roots[rows], self._cosines[rows]
-        residual = roots * (self.loss.transform(f, cosines) - self._targets[rows])
+        roots, targets, cosines = (
+            self._data(self._roots, rows, sets),
+            self._data(self._targets, rows, sets),
+            self._cosines[rows],
+        )
+        residual = roots * (self.loss.transform(f, cosines) - targets)
         slope = roots * self.loss.slope(f, cosines)  # (B, n, C) or (n, C)
         batch, n, channels = residual.shape
         jacobian = np.empty((batch, channels, n, len(self.quantities)))
         for k, name in enumerate(self._order()):
             np.multiply(derivatives[name], slope, out=np.moveaxis(jacobian[..., k], 1, 2))
         return residual, jacobian
+
+    @staticmethod
+    def _data(array: Floats, rows: slice, sets: NDArray[np.intp] | None) -> Floats:
+        """Rows of (N, C), or of the data sets (B, N, C) of each vector."""
+        return array[rows] if array.ndim == 2 else array[slice(None) if sets is None else sets, rows]
 
     def _arguments(self, x: Floats) -> dict[str, Floats | float]:
         given = {q.name: (x[:, None, q.where] if q.per_channel else x[:, q.where, None]) for q in self.quantities}

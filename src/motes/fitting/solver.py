@@ -33,12 +33,13 @@ class Solution:
 
 
 def minimize(
-    normal: Callable[[Floats], Normal],
+    normal: Callable[..., Normal],
     x: Floats,
     low: Floats,
     high: Floats,
     *,
     held: NDArray[np.bool_] | None = None,
+    sets: NDArray[np.intp] | None = None,
     max_iterations: int = 200,
     reduction: float = 1e-10,
     step: float = 1e-9,
@@ -51,6 +52,8 @@ def minimize(
         Objective, gradient and Gauss-Newton matrix of a batch; see `motes.fitting.problem.Problem.normal`.
     held
         Parameters (P,) that stay as they are.
+    sets
+        What each row belongs to (B,), passed on to `normal` as a second argument.
     reduction
         Converged when a full step promises less than this share of the objective.
     step
@@ -59,7 +62,11 @@ def minimize(
     x = np.clip(np.array(x, float), low, high)
     batch, size = x.shape
     held = np.zeros(size, bool) if held is None else held
-    at = normal(x)
+
+    def at_rows(points: Floats, rows: NDArray[np.intp]) -> Normal:
+        return normal(points) if sets is None else normal(points, sets[rows])
+
+    at = at_rows(x, np.arange(batch))
     objective, gradient, matrix = (np.array(part) for part in at)
     status = [Status.MAX_ITERATIONS] * batch
     iterations = np.zeros(batch, np.int64)
@@ -91,7 +98,7 @@ def minimize(
             running, moved, promised = running[~finished], moved[~finished], promised[~finished]
             if not len(running):
                 break
-            new = normal(moved)
+            new = at_rows(moved, running)
             iterations[running] += 1
             gain = (objective[running] - new.objective) / np.where(promised > 0, promised, np.inf)
             better = np.isfinite(new.objective) & (new.objective < objective[running])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 from datetime import datetime
+from fractions import Fraction
 from itertools import pairwise
 
 LONGEST = 2**20  # characters that are looked at
@@ -38,7 +39,7 @@ def hours(text: str, n_scans: int) -> list[float] | None:
     """
     text = text[:LONGEST]
     lines = [" ".join(line.split()) for line in text.splitlines()]
-    attempts: list[Callable[[], Iterable[float]]] = [
+    attempts: list[Callable[[], Iterable[float | Fraction]]] = [
         lambda: [_date(m.group(1, 2, 3), m.group(4, 5, 6)) for m in _YEAR_FIRST.finditer(text)],
         lambda: [_american(m.group(1, 2, 3), m.group(4, 5, 6)) for m in _YEAR_LAST.finditer(text)],
         lambda: [
@@ -53,7 +54,7 @@ def hours(text: str, n_scans: int) -> list[float] | None:
             found = list(attempt())
         except (ValueError, OverflowError):  # the 31st of February, 1e999 days
             continue
-        times = [t - found[0] for t in found]
+        times = [float(t - found[0]) for t in found]
         if len(times) == n_scans and all(b > a for a, b in pairwise(times)):
             return times
     return None
@@ -66,12 +67,13 @@ def _clock(parts: tuple[str | None, ...]) -> float:
     return hour + minute / 60 + second / 3600
 
 
-def _date(date: tuple[str, ...], clock: tuple[str | None, ...]) -> float:
+def _date(date: tuple[str, ...], clock: tuple[str | None, ...]) -> Fraction:
+    """Hours, exact: in a float, two thousand years leave microseconds only."""
     year, month, day = (int(d) for d in date)
-    return 24.0 * datetime(year, month, day).toordinal() + _clock(clock)
+    return 24 * datetime(year, month, day).toordinal() + Fraction(_clock(clock))
 
 
-def _american(date: tuple[str, ...], clock: tuple[str | None, ...]) -> float:
+def _american(date: tuple[str, ...], clock: tuple[str | None, ...]) -> Fraction:
     first, second, year = date
     month, day = (first, second) if int(first) <= 12 else (second, first)
     return _date((year, month, day), clock)

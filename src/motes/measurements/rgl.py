@@ -184,10 +184,10 @@ class TensorBRDF:
                 f"wi and wo have shapes {wi.shape} and {wo.shape}, not (..., 3)", "Give directions with x, y, z last"
             )
         wi, wo = (np.broadcast_to(w, shape).reshape(-1, 3) for w in (wi, wo))
-        above = (wi[:, 2] > 0) & (wo[:, 2] > 0)
-        result = np.zeros((len(wi), len(self.channels)))
+        finite = np.isfinite(wi).all(axis=1) & np.isfinite(wo).all(axis=1)
+        above = finite & (wi[:, 2] > 0) & (wo[:, 2] > 0)
+        result = np.where(finite, 0.0, np.nan)[:, None] * np.ones(len(self.channels))
         result[above] = self._eval(wi[above], wo[above])
-        result[~np.isfinite(wi).all(1) | ~np.isfinite(wo).all(1)] = np.nan
         return result.reshape(*shape[:-1], -1)
 
     def _eval(self, wi: NDArray[np.float64], wo: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -107,7 +107,7 @@ def read(
 
     stated = irradiance if irradiance is not None else info.irradiance
     scale = 1.0 if stated is None else float(stated)
-    if not (np.isfinite(scale) and scale > 0):
+    if not 0 < scale < np.inf:
         raise DataError(
             f"irradiance = {scale:g} is not positive and finite", "It is that of a surface facing the light"
         )
@@ -359,8 +359,13 @@ def _triples(file: Path) -> NDArray[np.float64]:
             )
     _files.require(rest == 0, f"{file} is truncated within record {n + 1}", "Fetch the file again")
     _files.require(n > 0, f"{file} holds no record", "Records are: F b g r, L x y z, V x y z")
-    rows = np.array(tokens, object).reshape(n, 3, 4)[:, :, 1:].reshape(-1)
-    values = _files.numbers(rows.tolist(), str(file)).reshape(n, 9)
+    rows = np.array(tokens, object).reshape(n, 3, 4)[:, :, 1:].reshape(n, 9)
+    try:
+        values = rows.astype(np.float64)
+    except ValueError:
+        for record, row in enumerate(rows.tolist(), 1):  # find the record, for the message
+            _files.numbers(row, f"{file}, record {record}")
+        raise
     for start, letter in ((3, "L"), (6, "V")):
         policy.unit_directions(values[:, start : start + 3], f"{file}: {letter}")
     return values
@@ -392,7 +397,10 @@ def _list(items: Sequence[Any]) -> str:
 
 def _times(times: ArrayLike | None, text: str, n_scans: int, notes: list[str]) -> tuple[ArrayLike, str]:
     if times is not None:
-        given = np.asarray(times, np.float64).reshape(-1) if not isinstance(times, str) else np.empty(0)
+        try:
+            given = np.asarray(times, np.float64).reshape(-1)
+        except (TypeError, ValueError):
+            raise DataError(f"times = {times!r:.60} are not numbers", "Give the hours of all scans") from None
         if len(given) != n_scans:
             raise DataError(
                 f"times has {len(given)} entries for {n_scans} scans",

@@ -78,7 +78,7 @@ def channels_to_srgb(channels: Sequence[str], wavelengths: ArrayLike | None = No
             return ColorOf(
                 matrix,
                 "spectra are turned into sRGB through the CIE 1931 2° colour matching functions "
-                "(analytic fit of Wyman, Sloan and Shirley 2013), equal-energy light, white kept white",
+                "(analytic fit of Wyman, Sloan and Shirley 2013), equal-energy light, white kept white, out-of-gamut values clipped",
             )
     return ColorOf(np.full((n, 3), 1 / n), "shown in grey" if n == 1 else f"the mean of the {n} channels is shown in grey")
 

@@ -25,7 +25,7 @@ def join(*parts: object) -> Html:
     return Html("".join(escape(part) for part in parts if part is not None))
 
 
-def tag(name: str, *children: object, **attributes: Any) -> Html:
+def tag(name: str, /, *children: object, **attributes: Any) -> Html:
     """An element.  Children that are not `Html` are escaped, attributes always; ``class_`` is class, ``_`` in names is ``-``, None leaves one out."""
     given = "".join(
         f' {key.rstrip("_").replace("_", "-")}="{html.escape(str(value), quote=True)}"'

@@ -114,7 +114,7 @@ def polar_slices(samples: Samples, *, across: bool = False, most: int = 6) -> Sl
     """Slices along the plane of incidence, or across it (at right angles to it), at several angles of incidence.
 
     The tolerances are as small as the data allow: a regular measurement gives exact slices; scattered directions (CUReT) are taken within a few degrees.
-    A panel needs three samples.
+    A panel needs three samples, across five.
     """
     side = np.cos(samples.dphi) if across else np.sin(samples.dphi)
     off_plane = np.arcsin(np.minimum(np.abs(side) * np.sin(samples.theta_r), 1))
@@ -148,7 +148,7 @@ def _panels(near: Samples, off_angle: float, across: bool, most: int) -> list[Sl
             nearest = np.lexsort((np.abs(chosen.theta_i - center), step))
             first = nearest[np.r_[True, np.diff(step[nearest]) != 0]]
             signed, chosen = signed[first], chosen.take(first)
-        if len(signed) >= 3:
+        if len(signed) >= (5 if across else 3):
             panels.append(Slice(float(np.mean(chosen.theta_i)), signed, chosen, across))
     if len(panels) > most:  # the well filled ones, spread evenly, the most grazing one among them
         typical = np.median([len(s.theta_r) for s in panels])
@@ -223,6 +223,20 @@ def near_mirror(samples: Samples) -> NearMirror | None:
         return None
     at = near.take(np.array(rows))
     return NearMirror(at.theta_i, at.from_mirror, at.measured, at.fitted, np.array(elsewhere))
+
+
+def ratio_by_angle(near: NearMirror) -> tuple[Floats, Floats]:
+    """Angles of incidence [rad] and the geometric mean over the channels of measured over fitted."""
+    good = (near.measured > 0) & (near.fitted > 0)
+    log = np.log(np.where(good, near.measured, 1) / np.where(good, near.fitted, 1))
+    keep = good.any(1)
+    return near.theta_i[keep], np.exp(log[keep].sum(1) / good[keep].sum(1))
+
+
+def grows(near: NearMirror) -> bool:
+    """True when the measured highlight gains a factor of 1.5 or more on the fitted one from the steepest to the most grazing incidence."""
+    _, ratio = ratio_by_angle(near)
+    return len(ratio) >= 3 and bool(ratio[-1] >= 1.5 * ratio[0] and ratio[-1] >= 0.95 * ratio.max())
 
 
 def _median(values: Floats) -> float:

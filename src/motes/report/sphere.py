@@ -88,8 +88,12 @@ def sphere_radiance(
     # float32: a picture has eight bits, and half the memory traffic is half the time.
     axis = (((np.arange(n) + 0.5) / n * 2 - 1) * size / (size - 2)).astype(np.float32)
     x, y = np.meshgrid(axis, -axis)
-    inside = x * x + y * y < 1
-    x, y = x[inside], y[inside]
+    radius = np.sqrt(x * x + y * y)
+    # The part of each small square inside the circle, as if the edge were straight: smooth outlines at no cost.
+    part = np.clip(0.5 + (1 - radius) * (0.5 * (size - 2) * samples), 0, 1)
+    inside = part > 0
+    shrink = np.minimum(1, np.float32(0.9995) / np.maximum(radius[inside], np.float32(1e-6)))  # squares on the edge take the normal just inside
+    x, y = x[inside] * shrink, y[inside] * shrink
     x[(x == 0) & (y == 0)] = 1e-4  # azimuth needs a side, also in the middle
     normal_z = np.sqrt(1 - x * x - y * y)
 
@@ -107,10 +111,10 @@ def sphere_radiance(
         value += dome * _seen_under_dome(brdf, normal_z)
 
     total = np.zeros((n, n, value.shape[-1]), np.float32)
-    total[inside] = value
+    total[inside] = value * part[inside, None]
     total = total.reshape(size, samples, size, samples, -1).sum((1, 3))
-    covered = inside.reshape(size, samples, size, samples).sum((1, 3))
-    return total / np.maximum(covered, 1)[..., None], covered / samples**2
+    covered = part.reshape(size, samples, size, samples).sum((1, 3))
+    return total / np.maximum(covered, 1e-6)[..., None], covered / samples**2
 
 
 def _seen_under_dome(brdf: BRDF, cos_theta_r: Floats) -> Floats:

@@ -42,6 +42,16 @@ class Scale:
     ticks: tuple[float, ...] | None = None
 
     @classmethod
+    def ratios(cls, low: float, high: float) -> Scale:
+        """A logarithmic scale for ratios, symmetric about 1, with ticks that are one another's inverse where that reads well."""
+        reach = max(high, 1 / low, 1.04) * 1.03
+        sets = ((1.05, (0.96, 0.98, 1.02, 1.04)), (1.15, (0.9, 0.95, 1.05, 1.1)), (1.5, (0.7, 0.8, 0.9, 1.1, 1.25, 1.4)), (2.6, (0.5, 0.7, 1.4, 2)))
+        ticks = next((t for most, t in sets if reach <= most), (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 2, 5, 10, 20, 50, 100))
+        if reach > 30:
+            ticks = tuple(10.0**k for k in range(-8, 9) if k and (reach < 1e4 or k % 2 == 0))
+        return cls(1 / reach, reach, True, tuple(sorted((*ticks, 1.0))))
+
+    @classmethod
     def around(cls, *values: ArrayLike, log: bool = False, zero: bool = False, margin: float = 0.04) -> Scale:
         """A scale that holds all finite values (all positive ones when logarithmic), from zero when asked."""
         flat = np.concatenate([np.ravel(np.asarray(v, np.float64)) for v in values] or [np.zeros(0)])
@@ -69,7 +79,7 @@ class Scale:
         """Where the ticks are."""
         if self.ticks is not None:
             return [t for t in self.ticks if self.low <= t <= self.high]
-        if not self.log:
+        if not self.log or self.high < 2.2 * self.low:
             rough = (self.high - self.low) / most
             power = 10.0 ** math.floor(math.log10(rough))
             step = next(s * power for s in (1, 2, 2.5, 5, 10) if s * power >= rough * (1 - 1e-9))
@@ -79,10 +89,8 @@ class Scale:
         if decades > 2.2:
             every = math.ceil(decades / most)
             return [10.0**k for k in range(first, last + 1) if k % every == 0 and self.low <= 10.0**k <= self.high]
-        factors = (1, 2, 5) if decades > 0.75 else (1, 1.5, 2, 3, 5, 7) if decades > 0.35 else (1, *np.arange(1.1, 10, 0.1).round(1))
+        factors = (1, 2, 5) if decades > 0.75 else (1, 1.5, 2, 3, 4, 5, 7)
         marks = [f * 10.0**k for k in range(first, last + 1) for f in factors if self.low <= f * 10.0**k <= self.high]
-        while len(marks) > most + 1:
-            marks = marks[::2]
         return marks
 
 

@@ -1,0 +1,41 @@
+# make demo   install, and run the main job on simulated data
+# make test   install what the tests need, and run them all
+# make lint   the checks of style, types and imports alone
+# make clean  remove what these made
+
+VENV ?= .venv
+BIN := $(VENV)/bin
+PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check
+PYTHON ?= $(firstword $(foreach p,python3 python3.14 python3.13 python3.12 python3.11,$(if $(shell $(p) -c 'import sys; print(sys.version_info >= (3, 11) or "")' 2>/dev/null),$(p))))
+JOBS ?= 2
+
+.PHONY: demo test lint clean
+.DELETE_ON_ERROR:
+
+demo: $(VENV)/.installed-all
+	$(BIN)/motes demo -o out/demo
+
+# The tests run also where lint complains, and say their result last.
+test: $(VENV)/.installed-dev
+	@$(MAKE) --no-print-directory lint; lint=$$?; \
+	$(BIN)/python -m pytest -n $(JOBS); tests=$$?; \
+	test $$lint -eq 0 || echo "lint failed, see above"; \
+	exit $$((lint | tests))
+
+lint: $(VENV)/.installed-dev
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+
+# One rule for both sets of packages: all and dev.  Making an environment over an existing one mends a half-made one.
+$(VENV)/.installed-%: pyproject.toml
+	@test -n "$(PYTHON)" || { echo "Motes needs Python 3.11 or later; python3 is $$(python3 --version 2>&1). Name one: make PYTHON=/path/to/python3.11"; exit 1; }
+	@echo "installing motes[$*] into $(VENV) (the first time takes minutes)"
+	@$(PYTHON) -m venv $(VENV)
+	@$(PIP) --editable '.[$*]'
+	@touch $@
+
+clean:
+	rm -rf $(VENV) out build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -1,0 +1,365 @@
+"""Trends of all parameters fitted to all scans at once.
+
+Each scan says how good a vector of BRDF parameters is (its objective, gradient and normal matrix, `Problem.normal`); the trends say which vector each scan
+has.  The chain rule joins the two: with Q the parameters of all scans as functions of the trends' coefficients c, the gradient is
+sum_t (dQ_t/dc)' g_t and the matrix sum_t (dQ_t/dc)' H_t (dQ_t/dc).  So one solver serves one scan and many.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from itertools import product
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from motes.fitting.losses import Floats
+from motes.fitting.problem import Normal, Problem, Quantity
+from motes.fitting.scans import ScanFits
+from motes.fitting.solver import Solution, minimize
+from motes.trends import KINDS, Trend, flat, flat_jacobian
+
+#: Kinds of trend that are compared, the simplest first.
+CANDIDATE_KINDS = ("constant", "linear", "exponential", "logistic", "quadratic", "cubic", "monotone_spline")
+
+
+@dataclass(frozen=True)
+class Part:
+    """The trend of one parameter, and where its coefficients stand in the vector of all of them."""
+
+    quantity: Quantity
+    kind: str
+    interval: tuple[float, float]
+
+    @property
+    def width(self) -> int:
+        """The number of channels of its values."""
+        return self.quantity.where.stop - self.quantity.where.start
+
+    @property
+    def size(self) -> int:
+        """The number of its flat coefficients."""
+        return sum(1 if c.bounds else self.width for c in KINDS[self.kind].coefficients)
+
+    def trend(self, c: Floats, covariance: Floats | None = None) -> Trend:
+        """The trend with flat coefficients `c`."""
+        values, start = {}, 0
+        for coefficient in KINDS[self.kind].coefficients:
+            n = 1 if coefficient.bounds else self.width
+            values[coefficient.name] = (
+                c[start : start + n] if self.quantity.per_channel and not coefficient.bounds else float(c[start])
+            )
+            start += n
+        return Trend(self.kind, values, self.interval, self.quantity.parameter.fit_bounds, covariance)
+
+    def bounds(self) -> tuple[Floats, Floats]:
+        """Of the flat coefficients: the parameter's for values, parts of the duration for times."""
+        first, last = self.interval
+        low: list[float] = []
+        high: list[float] = []
+        for coefficient in KINDS[self.kind].coefficients:
+            if coefficient.bounds is None:
+                a, b = self.quantity.parameter.fit_bounds
+            elif coefficient.is_time:
+                a, b = (x * (last - first) for x in coefficient.bounds)
+                if coefficient.name == "middle":
+                    a, b = a + first, b + first
+            else:
+                a, b = coefficient.bounds
+            n = 1 if coefficient.bounds else self.width
+            low += [a] * n
+            high += [b] * n
+        return np.array(low), np.array(high)
+
+    def starts(self, hours: Floats, values: Floats) -> Floats:
+        """Flat coefficients to start from (S, K), given rough values (T, W) at the scans."""
+        first, last = self.interval
+        edge = max(1, len(hours) // 6)
+        begin, end = values[:edge].mean(axis=0), values[-edge:].mean(axis=0)
+        columns: list[list[Floats]] = []
+        kind = KINDS[self.kind]
+        controls = [c for c in kind.coefficients if c.name.startswith("c") and c.name[1:].isdigit()]
+        for coefficient in kind.coefficients:
+            if coefficient.name in ("start", "end"):
+                columns.append([begin if coefficient.name == "start" else end])
+            elif coefficient.name == "value":
+                columns.append([values.mean(axis=0)])
+            elif coefficient in controls:
+                at = first + (last - first) * int(coefficient.name[1:]) / max(len(controls) - 1, 1)
+                columns.append([np.array([np.interp(at, hours, v) for v in values.T])])
+            else:
+                scale, shift = (
+                    ((last - first), first if coefficient.name == "middle" else 0.0)
+                    if coefficient.is_time
+                    else (1.0, 0.0)
+                )
+                columns.append([np.array([shift + scale * s]) for s in coefficient.starts])
+        return np.array([np.concatenate(choice) for choice in product(*columns)])
+
+
+@dataclass(frozen=True)
+class Joint:
+    """All scans with a kind of trend for each parameter.
+
+    ``hours`` (T,) are the times of the data sets of `problem`; ``scans`` those that take part.
+    """
+
+    problem: Problem
+    hours: Floats
+    scans: NDArray[np.intp]
+    parts: tuple[Part, ...]
+
+    @property
+    def size(self) -> int:
+        return sum(p.size for p in self.parts)
+
+    def slices(self) -> list[slice]:
+        """Where each part's coefficients stand."""
+        stops = np.cumsum([p.size for p in self.parts]).tolist()
+        return [slice(stop - p.size, stop) for stop, p in zip(stops, self.parts, strict=True)]
+
+    def bounds(self) -> tuple[Floats, Floats]:
+        both = [p.bounds() for p in self.parts]
+        return np.concatenate([b[0] for b in both]), np.concatenate([b[1] for b in both])
+
+    def vectors(self, c: Floats) -> tuple[Floats, Floats]:
+        """The BRDF parameters (T, P) of every scan that takes part, and their derivatives (T, P, K)."""
+        hours = self.hours[self.scans]
+        x = np.empty((len(hours), self.problem.size))
+        jacobian = np.zeros((len(hours), self.problem.size, self.size))
+        for part, where in zip(self.parts, self.slices(), strict=True):
+            trend = part.trend(c[where])
+            value, slopes = trend._evaluated(hours, derivatives=True)
+            rows = flat_jacobian(trend, slopes, value.shape)
+            x[:, part.quantity.where] = value if value.ndim == 2 else value[:, None]
+            jacobian[:, part.quantity.where, where] = rows if value.ndim == 2 else rows[:, None]
+        return x, jacobian
+
+    def normal(self, batch: Floats) -> Normal:
+        """Objectives and normal equations for coefficient vectors (B, K)."""
+        results = []
+        for c in batch:
+            x, jacobian = self.vectors(c)
+            scan = self.problem.normal(x, self.scans)
+            gradient = np.einsum("tpk,tp->k", jacobian, scan.gradient)
+            matrix = np.einsum("tpk,tpq,tql->kl", jacobian, scan.matrix, jacobian, optimize=True)
+            results.append((scan.objective.sum(), gradient, matrix))
+        return Normal(*(np.array(part) for part in zip(*results, strict=True)))
+
+    def solve(self, starts: Floats) -> Solution:
+        low, high = self.bounds()
+        return minimize(self.normal, starts, low, high, reduction=1e-9, max_iterations=100)
+
+    @property
+    def samples(self) -> int:
+        return int(np.count_nonzero(self.problem.weights[self.scans]))
+
+    def bic(self, objective: float) -> float:
+        """The Bayesian information criterion of an objective, with a coefficient as a parameter."""
+        n = self.samples
+        return n * math.log(max(2 * objective / n, 1e-300)) + self.size * math.log(n)
+
+    def covariance(self, c: Floats) -> Floats:
+        """Of the coefficients (K, K): the sandwich over all scans; NaN rows where they are not determined or at a bound."""
+        x, jacobian = self.vectors(c)
+        scan = self.problem.normal(x, self.scans)
+        matrix = np.einsum("tpk,tpq,tql->kl", jacobian, scan.matrix, jacobian, optimize=True)
+        low, high = self.bounds()
+        margin = 1e-9 * (1 + np.abs(c))
+        inside = (
+            (c > low + margin) & (c < high - margin) & (np.diag(matrix) > 1e-14 * np.diag(matrix).max(initial=1e-300))
+        )
+        free = np.flatnonzero(inside)
+        full = np.full((len(c), len(c)), np.nan)
+        if not len(free):
+            return full
+        scale = 1 / np.sqrt(np.diag(matrix)[free])
+        eigenvalues, vectors = np.linalg.eigh(matrix[np.ix_(free, free)] * np.outer(scale, scale))
+        null = eigenvalues < 1e-11
+        inverse = np.zeros_like(matrix)
+        inverse[np.ix_(free, free)] = (
+            (vectors * np.where(null, 0, 1 / np.where(null, 1, eigenvalues))) @ vectors.T * np.outer(scale, scale)
+        )
+        middle = np.zeros_like(matrix)
+        for k, t in enumerate(self.scans):
+            own = jacobian[k] @ inverse @ jacobian[k].T
+            middle += jacobian[k].T @ self.problem.spread(x[k], own, np.array([t])) @ jacobian[k]
+        covariance = inverse @ middle @ inverse
+        seen = free[~np.any(np.abs(vectors[:, null]) > 0.1, axis=1)]
+        full[np.ix_(seen, seen)] = covariance[np.ix_(seen, seen)]
+        return full
+
+
+@dataclass(frozen=True)
+class Alternative:
+    """Another kind of trend for one parameter: how much worse its BIC is, and the trend."""
+
+    kind: str
+    delta_bic: float
+    trend: Trend
+
+
+class Profile:
+    """What all scans say about the values of one parameter, the trends of the others free to follow.
+
+    Near the joint solution the objective is a quadratic in the parameters of all scans; eliminating the others' coefficients leaves a
+    quadratic in this parameter's values, in which kinds of trends can be compared in no time.
+    """
+
+    def __init__(self, joint: Joint, c: Floats, index: int) -> None:
+        self.joint, self.part, self.index = joint, joint.parts[index], index
+        x, jacobian = joint.vectors(c)
+        scan = joint.problem.normal(x, joint.scans)
+        scans, size = x.shape
+        own = self.part.quantity.where
+        self.values = x[:, own]
+        rest = np.concatenate(
+            [np.arange(s.start, s.stop) for k, s in enumerate(joint.slices()) if k != index] or [np.arange(0)]
+        )
+        width = own.stop - own.start
+        matrix = np.zeros((scans * width, scans * width))
+        cross = np.zeros((scans * width, len(rest)))
+        for t in range(scans):
+            rows = slice(t * width, (t + 1) * width)
+            matrix[rows, rows] = scan.matrix[t][own, own]
+            cross[rows] = scan.matrix[t][own] @ jacobian[t][:, rest]
+        others = np.einsum("tpk,tpq,tql->kl", jacobian[:, :, rest], scan.matrix, jacobian[:, :, rest], optimize=True)
+        slope = np.einsum("tpk,tp->k", jacobian[:, :, rest], scan.gradient)
+        low, high = joint.bounds()
+        held = ((c <= low) & (joint.normal(c[None]).gradient[0] > 0)) | (
+            (c >= high) & (joint.normal(c[None]).gradient[0] < 0)
+        )
+        free = ~held[rest]
+        if free.any():
+            inverse = np.linalg.pinv(others[np.ix_(free, free)], rcond=1e-11, hermitian=True)
+            matrix = matrix - cross[:, free] @ inverse @ cross[:, free].T
+            gradient = scan.gradient[:, own].ravel() - cross[:, free] @ inverse @ slope[free]
+        else:
+            gradient = scan.gradient[:, own].ravel()
+        self.matrix, self.gradient = matrix, gradient
+        self.objective = float(scan.objective.sum())
+
+    def fitted(self, kind: str) -> tuple[float, Floats]:
+        """The objective with another kind for this parameter, and its coefficients."""
+        part = replace(self.part, kind=kind)
+        hours = self.joint.hours[self.joint.scans]
+
+        def normal(batch: Floats) -> Normal:
+            results = []
+            for c in batch:
+                trend = part.trend(c)
+                value, slopes = trend._evaluated(hours, derivatives=True)
+                rows = flat_jacobian(trend, slopes, value.shape).reshape(-1, part.size)
+                move = np.ravel(value) - np.ravel(self.values)
+                push = self.matrix @ move
+                change = self.gradient @ move + 0.5 * move @ push
+                results.append((self.objective + change, rows.T @ (self.gradient + push), rows.T @ self.matrix @ rows))
+            return Normal(*(np.array(x) for x in zip(*results, strict=True)))
+
+        low, high = part.bounds()
+        # Where the scans would like the values to be: the quadratic's minimum, as far as they say.
+        wish = self.values - (np.linalg.pinv(self.matrix, rcond=1e-6, hermitian=True) @ self.gradient).reshape(
+            self.values.shape
+        )
+        wish = np.clip(wish, *self.part.quantity.parameter.fit_bounds)
+        solution = minimize(normal, part.starts(hours, wish), low, high, max_iterations=40, reduction=1e-8)
+        best = solution.best()
+        return float(solution.normal.objective[best]), solution.x[best]
+
+    def compared(self) -> dict[str, tuple[float, Floats]]:
+        """For each candidate kind with fewer coefficients than scans: the BIC by the quadratic, and its coefficients."""
+        table = {}
+        for kind in CANDIDATE_KINDS:
+            if len(KINDS[kind].coefficients) > max(1, len(self.joint.scans) - 1):
+                continue
+            objective, c = self.fitted(kind)
+            parts = tuple(replace(p, kind=kind) if k == self.index else p for k, p in enumerate(self.joint.parts))
+            table[kind] = (replace(self.joint, parts=parts).bic(max(objective, 1e-300)), c)
+        return table
+
+
+def first_guess(
+    problem: Problem, hours: Floats, fits: ScanFits, scans: NDArray[np.intp], kinds: Mapping[str, str]
+) -> tuple[Joint, Floats]:
+    """A joint fit to start from: a cubic through the scans' own values, or what `kinds` asks for."""
+    interval = (float(hours[scans[0]]), float(hours[scans[-1]]))
+    flexible = "cubic" if len(scans) >= 6 else "linear" if len(scans) >= 3 else "constant"
+    parts, starts = [], []
+    for q in problem.quantities:
+        part = Part(q, kinds.get(q.name, flexible), interval)
+        values, errors = fits.x[:, q.where], fits.stderr[:, q.where]
+        known = np.isfinite(errors).all(axis=1)
+        if known.any():  # a scan that cannot see the parameter takes the value of its neighbours
+            values = np.stack([np.interp(hours[scans], hours[scans][known], v[known]) for v in values.T], axis=1)
+        parts.append(part)
+        starts.append(part.starts(hours[scans], values)[0])
+    return Joint(problem, hours, scans, tuple(parts)), np.concatenate(starts)
+
+
+def select(
+    joint: Joint, c: Floats, fixed_kinds: Mapping[str, str], progress: Any = None
+) -> tuple[Joint, Solution, dict[str, list[Alternative]]]:
+    """Choose the kind of each trend by BIC: the best single change by the quadratic is fitted in full, until none helps.
+
+    Returns the joint fit, its solution, and for each parameter the alternatives with their distance in BIC.
+    """
+    solution = joint.solve(c[None])
+    bic = joint.bic(float(solution.normal.objective[0]))
+    refused: set[tuple[str, str]] = set()
+    for step in range(40):
+        c = solution.x[0]
+        proposals = []
+        for index, part in enumerate(joint.parts):
+            if part.quantity.name in fixed_kinds:
+                continue
+            for kind, (guess, coefficients) in Profile(joint, c, index).compared().items():
+                if kind != part.kind and guess < bic - 1e-9 and (part.quantity.name, kind) not in refused:
+                    proposals.append((guess, index, kind, coefficients))
+        if not proposals:
+            break
+        _, index, kind, coefficients = min(proposals, key=lambda p: p[0])
+        parts = tuple(replace(p, kind=kind) if k == index else p for k, p in enumerate(joint.parts))
+        pieces = [coefficients if k == index else c[s] for k, s in enumerate(joint.slices())]
+        changed = replace(joint, parts=parts)
+        tried = changed.solve(np.concatenate(pieces)[None])
+        new_bic = changed.bic(float(tried.normal.objective[0]))
+        if progress:
+            progress(step, 40, f"{joint.parts[index].quantity.name}: {kind}")
+        if new_bic < bic:
+            joint, solution, bic = changed, tried, new_bic
+        else:
+            refused.add((joint.parts[index].quantity.name, kind))
+    alternatives: dict[str, list[Alternative]] = {}
+    for index, part in enumerate(joint.parts):
+        table = Profile(joint, solution.x[0], index).compared()
+        alternatives[part.quantity.name] = sorted(
+            (
+                Alternative(
+                    kind, guess - bic if kind != part.kind else 0.0, replace(part, kind=kind).trend(coefficients)
+                )
+                for kind, (guess, coefficients) in table.items()
+            ),
+            key=lambda a: a.delta_bic,
+        )
+    return joint, solution, alternatives
+
+
+def coefficients_of(joint: Joint, c: Floats) -> dict[str, Floats]:
+    """The flat coefficients by parameter."""
+    return {p.quantity.name: c[s] for p, s in zip(joint.parts, joint.slices(), strict=True)}
+
+
+__all__ = [
+    "CANDIDATE_KINDS",
+    "Alternative",
+    "Joint",
+    "Part",
+    "Profile",
+    "coefficients_of",
+    "first_guess",
+    "flat",
+    "select",
+]

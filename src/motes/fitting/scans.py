@@ -1,0 +1,63 @@
+"""Every scan of a time series fitted on its own: where the joint fit starts, and the points of its plots."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from motes.fitting.losses import Floats
+from motes.fitting.problem import Normal, Problem
+from motes.fitting.result import Status, Verdict
+from motes.fitting.solver import minimize
+from motes.fitting.starts import starting_points
+from motes.fitting.uncertainty import uncertainty
+
+
+@dataclass(frozen=True)
+class ScanFits:
+    """One fit for each of T scans: parameter vectors, standard errors (T, P), verdicts, normal equations, and status."""
+
+    x: Floats
+    stderr: Floats
+    verdicts: list[list[Verdict]]
+    normal: Normal
+    status: list[Status]
+
+
+def single(problem: Problem, scan: int) -> Problem:
+    """The problem of one of the scans."""
+    from dataclasses import replace
+
+    return replace(problem, values=problem.values[scan], weights=problem.weights[scan])
+
+
+def fit_scans(problem: Problem, scans: NDArray[np.intp]) -> ScanFits:
+    """Fit the scans of a problem with data (T, N, C), all at once.
+
+    Starts are searched on the first, the middle and the last scan, and every scan tries them all.
+    """
+    low, high = problem.bounds
+    looked_at = sorted({int(scans[0]), int(scans[len(scans) // 2]), int(scans[-1])})
+    starts = np.concatenate([starting_points(single(problem, t), None, most=3) for t in looked_at])
+    lanes = np.repeat(scans, len(starts))
+    rough = minimize(
+        problem.normal, np.tile(starts, (len(scans), 1)), low, high, sets=lanes, max_iterations=30, reduction=1e-5
+    )
+    by_scan = rough.normal.objective.reshape(len(scans), -1).argmin(axis=1)
+    best = rough.x.reshape(len(scans), len(starts), -1)[np.arange(len(scans)), by_scan]
+    # Neighbours in time are alike: each scan also tries the ends of the scans before and after it.
+    tries = np.stack([best, np.roll(best, 1, axis=0), np.roll(best, -1, axis=0)], axis=1).reshape(-1, best.shape[1])
+    lanes = np.repeat(scans, 3)
+    final = minimize(problem.normal, tries, low, high, sets=lanes)
+    pick = final.normal.objective.reshape(len(scans), 3).argmin(axis=1) + 3 * np.arange(len(scans))
+    x = final.x[pick]
+    errors = [uncertainty(single(problem, int(t)), row) for t, row in zip(scans, x, strict=True)]
+    return ScanFits(
+        x,
+        np.stack([e.stderr for e in errors]),
+        [e.verdicts for e in errors],
+        Normal(*(part[pick] for part in final.normal)),
+        [final.status[k] for k in pick],
+    )
