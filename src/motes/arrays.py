@@ -65,9 +65,14 @@ def _torch() -> SimpleNamespace:
         """The function on tensors; a number becomes a float64 tensor of no dimension, which never promotes."""
         return lambda x: function(x if isinstance(x, torch.Tensor) else torch.tensor(float(x), dtype=torch.float64))
 
+    def root(x: Any) -> Any:
+        """A square root whose derivative at 0 is 0: an infinite one becomes NaN where the chain rule multiplies it by 0."""
+        zero = x == 0
+        return torch.where(zero, 0 * x, torch.sqrt(torch.where(zero, 1.0, x)))
+
     return SimpleNamespace(
         name="torch",
-        sqrt=lifted(torch.sqrt),
+        sqrt=lifted(root),
         exp=lifted(torch.exp),
         expm1=lifted(torch.expm1),
         asin=lifted(torch.asin),
@@ -84,9 +89,14 @@ def _torch() -> SimpleNamespace:
 def _jax() -> SimpleNamespace:
     import jax.numpy as jnp
 
+    def root(x: Array) -> Array:
+        """See `_torch`."""
+        zero = jnp.equal(x, 0)
+        return jnp.where(zero, 0 * x, jnp.sqrt(jnp.where(zero, 1, x)))
+
     return SimpleNamespace(
         name="jax",
-        sqrt=jnp.sqrt,
+        sqrt=root,
         exp=jnp.exp,
         expm1=jnp.expm1,
         asin=jnp.arcsin,

@@ -70,16 +70,17 @@ def main(argv: Sequence[str] | None = None) -> int:
     debug = "--debug" in arguments or os.environ.get("MOTES_DEBUG", "") not in ("", "0")
     try:
         status = _run(arguments)
-        sys.stdout.flush()
+        if sys.stdout:  # None where the shell closed it
+            sys.stdout.flush()
         return status
     except KeyboardInterrupt:
         print("interrupted", file=sys.stderr)
         return INTERRUPTED
     except BrokenPipeError:
-        # What is left in the buffer would fail again when the interpreter flushes it.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _abandon_output()
         return BROKEN_PIPE
     except Exception as error:
+        _abandon_output()
         if debug:
             import traceback
 
@@ -95,6 +96,15 @@ def _run(arguments: list[str]) -> int:
         return 0
     status = make_app()(arguments, exit_on_error=False, print_error=False, result_action="return_value")
     return status if isinstance(status, int) else 0
+
+
+def _abandon_output() -> None:
+    """Drop what standard output cannot take: a full disk or a closed pipe would fail again at the interpreter's end."""
+    try:
+        if sys.stdout:
+            sys.stdout.flush()
+    except OSError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _explain(error: Exception) -> int:

@@ -25,7 +25,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from motes import tracing
-from motes.arrays import NUMPY, Array
+from motes.arrays import Array
+from motes.codegen.numpy import scalar_function
 from motes.errors import DataError, ParameterError
 
 Floats = NDArray[np.float64]
@@ -212,14 +213,26 @@ KINDS: dict[str, Kind] = {
 
 
 @cache
-def _traced(kind: str) -> tuple[tracing.Symbol, list[dict[tracing.Symbol, tracing.Symbol]], list[Any], list[Any]]:
-    """The formula of a kind as a graph, with its derivatives: output, tangents, basis leaves, coefficient leaves."""
+def _function(kind: str) -> tuple[Callable[..., tuple[Any, ...]], tuple[str, ...]]:
+    """The formula of a kind with its derivatives, as generated NumPy, and the coefficients it differentiates by."""
     graph = tracing.Graph()
     family = KINDS[kind]
     columns = [graph.leaf(f"b{k}") for k in range(len(family.basis(np.zeros(1), 0.0, 1.0)))]
     coefficients = [graph.leaf(c.name) for c in family.coefficients]
     output = graph.lift(family.formula(graph, columns, coefficients))
-    return output, tracing.forward([output], coefficients), columns, coefficients
+    (tangents,) = tracing.forward([output], coefficients)
+    moving = [leaf for leaf in coefficients if leaf in tangents]
+    given = {leaf: leaf.value for leaf in (*columns, *coefficients)}
+    generated = scalar_function(kind, given, [output, *(tangents[leaf] for leaf in moving)])
+    return generated, tuple(leaf.value for leaf in moving)
+
+
+def evaluate(kind: str, basis: list[Floats], coefficients: Mapping[str, Any]) -> tuple[Any, dict[str, Any]]:
+    """Values and derivatives by each coefficient; all arguments broadcast, and the results have the shape they naturally have."""
+    trend, names = _function(kind)
+    with np.errstate(over="ignore"):
+        value, *slopes = trend(*basis, *(coefficients[c.name] for c in KINDS[kind].coefficients))
+    return value, dict(zip(names, slopes, strict=True))
 
 
 @final
@@ -270,24 +283,24 @@ class Trend:
 
     def __call__(self, hours: ArrayLike) -> Floats:
         """The parameter at times [h] of any shape (...): (...), or (..., C) where values have channels."""
-        value, _ = self._evaluated(hours, derivatives=False)
+        value, _ = self._evaluated(hours)
         return np.clip(value, *self.bounds)
 
     def jacobian(self, hours: ArrayLike) -> dict[str, Floats]:
         """Derivatives of the value by each coefficient, in the shape that they naturally have."""
-        return self._evaluated(hours, derivatives=True)[1]
+        return self._evaluated(hours)[1]
 
     def rate(self, hours: ArrayLike) -> Floats:
         """The change per hour, by central differences of a millionth of the interval."""
         step = 1e-6 * (self.interval[1] - self.interval[0])
         t = np.asarray(hours, float)
-        ahead, behind = (self._evaluated(t + s, derivatives=False)[0] for s in (step, -step))
+        ahead, behind = (self._evaluated(t + s)[0] for s in (step, -step))
         return (ahead - behind) / (2 * step)
 
     def stderr(self, hours: ArrayLike) -> Floats:
         """One standard error of the value at times [h], from `covariance`; NaN without one."""
         t = np.atleast_1d(np.asarray(hours, float))
-        value, jacobian = self._evaluated(t, derivatives=True)
+        value, jacobian = self._evaluated(t)
         if self.covariance is None:
             return np.full(value.shape, np.nan)
         rows = flat_jacobian(self, jacobian, value.shape)  # (T[, C], K)
@@ -316,19 +329,13 @@ class Trend:
             None if covariance is None else np.asarray(covariance, float),
         )
 
-    def _evaluated(self, hours: ArrayLike, *, derivatives: bool) -> tuple[Floats, dict[str, Floats]]:
+    def _evaluated(self, hours: ArrayLike) -> tuple[Floats, dict[str, Floats]]:
         t = np.asarray(hours, float)
-        output, (tangents,), columns, leaves = _traced(self.kind)
-        basis = KINDS[self.kind].basis(t, *self.interval)
         tail = (...,) if self.channels is None else (..., None)
-        given: dict[Any, Any] = {leaf: column[tail] for leaf, column in zip(columns, basis, strict=True)}
-        given |= {leaf: self.coefficients[leaf.value] for leaf in leaves}
-        wanted = [output, *(tangents[leaf] for leaf in leaves if leaf in tangents)] if derivatives else [output]
-        with np.errstate(over="ignore"):
-            value, *slopes = tracing.evaluate(NUMPY, wanted, given)
+        basis = [column[tail] for column in KINDS[self.kind].basis(t, *self.interval)]
+        value, slopes = evaluate(self.kind, basis, self.coefficients)
         shape = t.shape if self.channels is None else (*t.shape, self.channels)
-        names = [leaf.value for leaf in leaves if leaf in tangents]
-        return np.broadcast_to(value, shape), dict(zip(names, slopes, strict=False))
+        return np.broadcast_to(value, shape), slopes
 
 
 def flat(trend: Trend) -> Floats:

@@ -8,7 +8,7 @@ import sys
 import textwrap
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, TextIO
 
 from rich.console import Console
 from rich.table import Table
@@ -19,9 +19,14 @@ Progress = Callable[[int, int, str], None]
 PIPE_WIDTH = 140  # columns when the output is not a terminal: wide enough that no table wraps
 
 
+def on_terminal(stream: TextIO | None) -> bool:
+    """Whether somebody looks at a stream (None where the shell closed it)."""
+    return stream is not None and stream.isatty()
+
+
 def width() -> int:
     """Columns of the terminal, or of a table that goes to a file."""
-    return shutil.get_terminal_size().columns if sys.stdout.isatty() else PIPE_WIDTH
+    return shutil.get_terminal_size().columns if on_terminal(sys.stdout) else PIPE_WIDTH
 
 
 def clean(text: object) -> str:
@@ -32,7 +37,7 @@ def clean(text: object) -> str:
 def print_facts(rows: Sequence[tuple[str, str]]) -> None:
     """Pairs of a label and a text to standard output, the texts aligned, and wrapped to the width of a terminal."""
     indent = max((len(label) for label, _ in rows), default=0) + 2
-    room = max(width() - indent, 20) if sys.stdout.isatty() else 10**6
+    room = max(width() - indent, 20) if on_terminal(sys.stdout) else 10**6
     for label, text in rows:
         for paragraph in text.split("\n"):
             for line in textwrap.wrap(clean(paragraph), room) or [""]:
@@ -61,7 +66,7 @@ def warn(message: str) -> None:
 @contextmanager
 def progress(common: Common, label: str) -> Iterator[Progress | None]:
     """A progress bar on standard error while a terminal looks at it, else None."""
-    if common.quiet or common.json or not sys.stderr.isatty():
+    if common.quiet or common.json or not on_terminal(sys.stderr):
         yield None
         return
     from rich import progress as bars

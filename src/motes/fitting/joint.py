@@ -11,7 +11,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from itertools import product
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,10 +20,12 @@ from motes.fitting.losses import Floats
 from motes.fitting.problem import Normal, Problem, Quantity
 from motes.fitting.scans import ScanFits
 from motes.fitting.solver import Solution, minimize
-from motes.trends import KINDS, Trend, flat, flat_jacobian
+from motes.trends import KINDS, Trend, evaluate, flat
 
 #: Kinds of trend that are compared, the simplest first.
 CANDIDATE_KINDS = ("constant", "linear", "exponential", "logistic", "quadratic", "cubic", "monotone_spline")
+
+MOST_CHANGES = 40
 
 
 @dataclass(frozen=True)
@@ -54,6 +56,30 @@ class Part:
             )
             start += n
         return Trend(self.kind, values, self.interval, self.quantity.parameter.fit_bounds, covariance)
+
+    def basis(self, hours: Floats) -> list[Floats]:
+        """What the trend needs of the times (T,): columns (T, 1)."""
+        return [column[:, None] for column in KINDS[self.kind].basis(hours, *self.interval)]
+
+    def values(self, basis: list[Floats], c: Floats) -> tuple[Floats, Floats]:
+        """Values (B, T, W) and derivatives (B, T, W, K) for flat coefficients (B, K)."""
+        given, where, start = {}, {}, 0
+        for coefficient in KINDS[self.kind].coefficients:
+            n = 1 if coefficient.bounds else self.width
+            where[coefficient.name] = slice(start, start + n)
+            given[coefficient.name] = c[:, None, start : start + n]
+            start += n
+        value, slopes = evaluate(self.kind, basis, given)
+        shape = (len(c), len(basis[0]), self.width)
+        jacobian = np.zeros((*shape, self.size))
+        for name, slope in slopes.items():
+            columns = where[name]
+            if columns.stop - columns.start == 1:
+                jacobian[..., columns.start] = slope
+            else:
+                for channel, k in enumerate(range(columns.start, columns.stop)):
+                    jacobian[..., channel, k] = np.broadcast_to(slope, shape)[..., channel]
+        return np.broadcast_to(value, shape), jacobian
 
     def bounds(self) -> tuple[Floats, Floats]:
         """Of the flat coefficients: the parameter's for values, parts of the duration for times."""
@@ -131,11 +157,8 @@ class Joint:
         x = np.empty((len(hours), self.problem.size))
         jacobian = np.zeros((len(hours), self.problem.size, self.size))
         for part, where in zip(self.parts, self.slices(), strict=True):
-            trend = part.trend(c[where])
-            value, slopes = trend._evaluated(hours, derivatives=True)
-            rows = flat_jacobian(trend, slopes, value.shape)
-            x[:, part.quantity.where] = value if value.ndim == 2 else value[:, None]
-            jacobian[:, part.quantity.where, where] = rows if value.ndim == 2 else rows[:, None]
+            value, slopes = part.values(part.basis(hours), c[None, where])
+            x[:, part.quantity.where], jacobian[:, part.quantity.where, where] = value[0], slopes[0]
         return x, jacobian
 
     def normal(self, batch: Floats) -> Normal:
@@ -229,43 +252,39 @@ class Profile:
         others = np.einsum("tpk,tpq,tql->kl", jacobian[:, :, rest], scan.matrix, jacobian[:, :, rest], optimize=True)
         slope = np.einsum("tpk,tp->k", jacobian[:, :, rest], scan.gradient)
         low, high = joint.bounds()
-        held = ((c <= low) & (joint.normal(c[None]).gradient[0] > 0)) | (
-            (c >= high) & (joint.normal(c[None]).gradient[0] < 0)
-        )
+        pull = np.einsum("tpk,tp->k", jacobian, scan.gradient)
+        held = ((c <= low) & (pull > 0)) | ((c >= high) & (pull < 0))
         free = ~held[rest]
+        gradient = scan.gradient[:, own].ravel()
         if free.any():
             inverse = np.linalg.pinv(others[np.ix_(free, free)], rcond=1e-11, hermitian=True)
             matrix = matrix - cross[:, free] @ inverse @ cross[:, free].T
-            gradient = scan.gradient[:, own].ravel() - cross[:, free] @ inverse @ slope[free]
-        else:
-            gradient = scan.gradient[:, own].ravel()
+            gradient = gradient - cross[:, free] @ inverse @ slope[free]
         self.matrix, self.gradient = matrix, gradient
         self.objective = float(scan.objective.sum())
+        # Where the scans would like the values to be: the minimum of the quadratic, as far as they say.
+        move = np.linalg.pinv(matrix, rcond=1e-6, hermitian=True) @ gradient
+        self.wish = np.clip(self.values - move.reshape(self.values.shape), *self.part.quantity.parameter.fit_bounds)
 
     def fitted(self, kind: str) -> tuple[float, Floats]:
         """The objective with another kind for this parameter, and its coefficients."""
         part = replace(self.part, kind=kind)
         hours = self.joint.hours[self.joint.scans]
 
+        basis = part.basis(hours)
+
         def normal(batch: Floats) -> Normal:
-            results = []
-            for c in batch:
-                trend = part.trend(c)
-                value, slopes = trend._evaluated(hours, derivatives=True)
-                rows = flat_jacobian(trend, slopes, value.shape).reshape(-1, part.size)
-                move = np.ravel(value) - np.ravel(self.values)
-                push = self.matrix @ move
-                change = self.gradient @ move + 0.5 * move @ push
-                results.append((self.objective + change, rows.T @ (self.gradient + push), rows.T @ self.matrix @ rows))
-            return Normal(*(np.array(x) for x in zip(*results, strict=True)))
+            value, slopes = part.values(basis, batch)
+            rows = slopes.reshape(len(batch), -1, part.size)
+            move = (value - self.values).reshape(len(batch), -1)
+            push = move @ self.matrix
+            change = move @ self.gradient + 0.5 * np.einsum("bv,bv->b", move, push)
+            transposed = np.swapaxes(rows, 1, 2)
+            gradient = (transposed @ (self.gradient + push)[..., None])[..., 0]
+            return Normal(self.objective + change, gradient, transposed @ (self.matrix @ rows))
 
         low, high = part.bounds()
-        # Where the scans would like the values to be: the quadratic's minimum, as far as they say.
-        wish = self.values - (np.linalg.pinv(self.matrix, rcond=1e-6, hermitian=True) @ self.gradient).reshape(
-            self.values.shape
-        )
-        wish = np.clip(wish, *self.part.quantity.parameter.fit_bounds)
-        solution = minimize(normal, part.starts(hours, wish), low, high, max_iterations=40, reduction=1e-8)
+        solution = minimize(normal, part.starts(hours, self.wish), low, high, max_iterations=40, reduction=1e-8)
         best = solution.best()
         return float(solution.normal.objective[best]), solution.x[best]
 
@@ -299,6 +318,42 @@ def first_guess(
     return Joint(problem, hours, scans, tuple(parts)), np.concatenate(starts)
 
 
+class Proposal(NamedTuple):
+    """Another kind for the part at `index`: the BIC expected, and its coefficients."""
+
+    bic: float
+    index: int
+    kind: str
+    coefficients: Floats
+
+
+def _proposals(
+    joint: Joint, c: Floats, bic: float, fixed_kinds: Mapping[str, str], refused: set[tuple[str, str]]
+) -> list[Proposal]:
+    """The best change for each part that promises a smaller BIC, the most promising first."""
+    proposals = []
+    for index, part in enumerate(joint.parts):
+        name = part.quantity.name
+        if name in fixed_kinds:
+            continue
+        better = [
+            Proposal(guess, index, kind, coefficients)
+            for kind, (guess, coefficients) in Profile(joint, c, index).compared().items()
+            if kind != part.kind and guess < bic - 1e-9 and (name, kind) not in refused
+        ]
+        if better:
+            proposals.append(min(better, key=lambda p: p.bic))
+    return sorted(proposals, key=lambda p: p.bic)
+
+
+def _changed(joint: Joint, c: Floats, proposals: list[Proposal]) -> tuple[Joint, Floats]:
+    """The joint fit with other kinds, and the coefficients to start from."""
+    by_index = {p.index: p for p in proposals}
+    parts = tuple(replace(p, kind=by_index[k].kind) if k in by_index else p for k, p in enumerate(joint.parts))
+    pieces = [by_index[k].coefficients if k in by_index else c[s] for k, s in enumerate(joint.slices())]
+    return replace(joint, parts=parts), np.concatenate(pieces)
+
+
 def select(
     joint: Joint, c: Floats, fixed_kinds: Mapping[str, str], progress: Any = None
 ) -> tuple[Joint, Solution, dict[str, list[Alternative]]]:
@@ -309,29 +364,23 @@ def select(
     solution = joint.solve(c[None])
     bic = joint.bic(float(solution.normal.objective[0]))
     refused: set[tuple[str, str]] = set()
-    for step in range(40):
-        c = solution.x[0]
-        proposals = []
-        for index, part in enumerate(joint.parts):
-            if part.quantity.name in fixed_kinds:
-                continue
-            for kind, (guess, coefficients) in Profile(joint, c, index).compared().items():
-                if kind != part.kind and guess < bic - 1e-9 and (part.quantity.name, kind) not in refused:
-                    proposals.append((guess, index, kind, coefficients))
+    for step in range(MOST_CHANGES):
+        proposals = _proposals(joint, solution.x[0], bic, fixed_kinds, refused)
         if not proposals:
             break
-        _, index, kind, coefficients = min(proposals, key=lambda p: p[0])
-        parts = tuple(replace(p, kind=kind) if k == index else p for k, p in enumerate(joint.parts))
-        pieces = [coefficients if k == index else c[s] for k, s in enumerate(joint.slices())]
-        changed = replace(joint, parts=parts)
-        tried = changed.solve(np.concatenate(pieces)[None])
-        new_bic = changed.bic(float(tried.normal.objective[0]))
-        if progress:
-            progress(step, 40, f"{joint.parts[index].quantity.name}: {kind}")
-        if new_bic < bic:
-            joint, solution, bic = changed, tried, new_bic
+        # All at once first; if that is no better, the most promising one.
+        for chosen in (proposals, proposals[:1]) if len(proposals) > 1 else (proposals,):
+            changed, start = _changed(joint, solution.x[0], chosen)
+            tried = changed.solve(start[None])
+            new_bic = changed.bic(float(tried.normal.objective[0]))
+            if progress:
+                words = ", ".join(f"{joint.parts[p.index].quantity.name} {p.kind}" for p in chosen)
+                progress(step, MOST_CHANGES, words)
+            if new_bic < bic:
+                joint, solution, bic = changed, tried, new_bic
+                break
         else:
-            refused.add((joint.parts[index].quantity.name, kind))
+            refused.add((joint.parts[proposals[0].index].quantity.name, proposals[0].kind))
     alternatives: dict[str, list[Alternative]] = {}
     for index, part in enumerate(joint.parts):
         table = Profile(joint, solution.x[0], index).compared()

@@ -62,7 +62,7 @@ def read(path: Path, purpose: str) -> dict[str, NDArray[np.float32]]:
     if size(path) is None:
         raise FormatError(f"{path} is not a complete OpenEXR picture of sane size", "Fetch the file again")
     try:
-        with OpenEXR.File(str(path), separate_channels=True) as file:
+        with np.errstate(invalid="ignore"), OpenEXR.File(str(path), separate_channels=True) as file:
             channels = {name: np.asarray(c.pixels, np.float32) for name, c in file.channels().items()}
     except Exception as error:  # the library raises what it likes: RuntimeError, ValueError, TypeError
         raise FormatError(

@@ -65,6 +65,12 @@ def binary(path: Path, dtype: str, count: int, offset: int, what: str) -> NDArra
     return np.fromfile(path, dtype, count, offset=offset)
 
 
+def doubles(array: NDArray) -> NDArray[np.float64]:
+    """As float64; a signalling NaN in a damaged file is a NaN, not a warning."""
+    with np.errstate(invalid="ignore"):
+        return array.astype(np.float64)
+
+
 def product(shape: Sequence[int]) -> int:
     """The number of elements, in Python's integers: absurd shapes do not wrap around."""
     return math.prod(int(n) for n in shape)

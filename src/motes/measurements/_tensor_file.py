@@ -69,10 +69,8 @@ class TensorFile:
                 f"{self.path}: field {name!r} has shape {shape}, not {ndim} dimensions of at least 1",
                 "The file is damaged",
             )
-        count = _files.product(shape)
-        return (
-            _files.binary(self.path, dtype, count, offset, f"field {name!r} {shape}").reshape(shape).astype(np.float64)
-        )
+        table = _files.binary(self.path, dtype, _files.product(shape), offset, f"field {name!r} {shape}")
+        return _files.doubles(table.reshape(shape))
 
     def string(self, name: str) -> str:
         if name not in self.table or self.table[name][0] != "u1":

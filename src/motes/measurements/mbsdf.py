@@ -60,7 +60,7 @@ def read(path: Path) -> Measurement:
     n_channels = 3 if kind == 1 else 1
     shape = (n_theta, n_theta, n_phi, n_channels)
     table = _files.binary(path, "<f4", _files.product(shape), start + 12, f"the table of {' x '.join(map(str, shape))}")
-    values = table.reshape(shape).astype(np.float64)
+    values = _files.doubles(table.reshape(shape))
 
     theta, polar = polar_bins(n_theta)
     phi = (np.arange(n_phi) + 0.5) / n_phi * np.pi

@@ -20,10 +20,10 @@ def percent(share: float) -> str:
     if not math.isfinite(share):
         return "not defined"
     value = 100 * share
-    if value >= 1000:
-        return f"{share:.3g} times"
+    if value >= 1e5:
+        return f"{value:.1e} %"
     if value == 0 or value >= 10:
-        return f"{value:.0f} %"
+        return f"{value:,.0f} %"
     return f"{value:.1f} %" if value >= 0.95 else f"{value:.2g} %"
 
 
@@ -52,13 +52,13 @@ def verdict(fit: Fit) -> str:
     if not math.isfinite(share):
         return f"{ended}. Its distance from the data is not defined: no usable sample has a value above 0."
     if share <= 0.1:
-        close = f"the model follows the measurement closely, within {percent(share)}"
+        close = "the model follows the measurement closely"
     elif share <= 0.3:
-        close = f"the model follows the measurement in outline, within {percent(share)}"
+        close = "the model follows the measurement in outline"
     else:
-        close = f"the model misses much of the measurement, by {percent(share)}"
-    join = " and " if fit.status.ok and share <= 0.3 else ", but " if fit.status.ok else ". As it stands, "
-    return f"{ended}{join}{close} of its root mean square over {count(n, 'sample')}."
+        close = "the model misses much of the measurement"
+    join = ". As it stands, " if not fit.status.ok else " and " if share <= 0.3 else ", but "
+    return f"{ended}{join}{close}: relative RMS {percent(share)} over {count(n, 'sample')}."
 
 
 def determined(fit: Fit) -> str:

@@ -23,12 +23,12 @@ from motes.report.color import channels_to_srgb, data_uri, diverging, hex_color,
 from motes.report.findings import count, percent
 from motes.report.markup import Html, escape, join, table, tag
 from motes.report.slices import NearMirror, Samples, Slices, near_mirror, polar_slices
-from motes.report.sphere import LIGHTS, sphere_radiance
+from motes.report.sphere import LIGHTS, sphere_radiances
 
 POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'"
 # Larger tables of correlations are given as their strongest pairs.
 MOST_CORRELATED = 12
-SPHERE_SIZE = 240
+SPHERE_SIZE = 320  # shown at three quarters of it or less: sharp on dense screens too
 _CHIPS = {
     Verdict.IDENTIFIED: ("good", "✓"),
     Verdict.WEAK: ("warn", "≈"),
@@ -156,20 +156,13 @@ def _spheres(fit: Fit) -> tuple[dict[str, str], str]:
     material = fit.material
     names = material.channels if len(material.channels) == fit.brdf.channels else tuple("?" * fit.brdf.channels)
     color = channels_to_srgb(names, material.wavelengths or None)
-    many = fit.brdf.channels > 4
-    pictures = {
-        name: sphere_radiance(fit.brdf, SPHERE_SIZE, light=name, samples=1 if many else 2)
-        for name in LIGHTS
-    }
-    linear = {name: radiance @ color.matrix for name, (radiance, _) in pictures.items()}
+    radiances, coverage = sphere_radiances(fit.brdf, SPHERE_SIZE, list(LIGHTS))
+    linear = dict(zip(LIGHTS, (r @ color.matrix for r in radiances), strict=True))
     # Whole stops, chosen from the sphere lit from the camera: a dark material would show as a black disc.
-    front = linear["front"][pictures["front"][1] == 1] @ np.array([0.2126, 0.7152, 0.0722])
-    bright = float(np.median(front)) if front.size else 1.0
-    stops = int(np.clip(np.floor(np.log2(0.25 / bright)), 0, 4)) if math.isfinite(bright) and bright > 0 else 0
-    encoded = {}
-    for name, rgb in linear.items():
-        alpha = np.round(255 * pictures[name][1]).astype(np.uint8)[..., None]
-        encoded[name] = data_uri(png(np.concatenate([srgb_encode(2.0**stops * rgb), alpha], axis=-1)))
+    bright = float(np.median(linear["front"][coverage == 1].max(-1)))
+    stops = int(np.clip(np.floor(np.log2(0.5 / bright)), 0, 4)) if math.isfinite(bright) and bright > 0 else 0
+    alpha = np.round(255 * coverage).astype(np.uint8)[..., None]
+    encoded = {name: data_uri(png(np.concatenate([srgb_encode(2.0**stops * rgb), alpha], axis=-1))) for name, rgb in linear.items()}
     exposure = (
         "A white diffuser facing the lamp would be display white"
         if stops == 0
@@ -341,7 +334,7 @@ def _correlations(context: Context) -> Html | None:
     note = tag("p", f"No correlations: {', '.join(undetermined)} (at a bound, or not determined).", class_="note") if undetermined else None
     words = tag("p", "Two parameters with a correlation near ±1 trade against each other: the data determine a combination of the two better than either.", class_="note")
     if len(labels) <= MOST_CORRELATED:
-        rows = [[tag("th", label, scope="row"), *(_heat(matrix[i, j]) for j in range(len(labels)))] for i, label in enumerate(labels)]
+        rows = [[tag("th", label, scope="row"), *(_heat(matrix[i, j]) if i != j else tag("td", "1", class_="blank") for j in range(len(labels)))] for i, label in enumerate(labels)]
         return join(table(("", *labels), rows, class_="heat"), words, note)
     i, j = np.triu_indices(len(labels), 1)
     strength = np.nan_to_num(np.abs(matrix[i, j]))

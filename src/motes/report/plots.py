@@ -19,6 +19,8 @@ from motes.report.slices import MOST_DOTS, NearMirror, Samples, Slice, Slices, b
 from motes.report.sphere import evaluate
 from motes.report.svg import Panel, Scale, number
 
+# Enough samples for every cell of the maps over the hemisphere.
+MOST_CELLS = 200_000
 # The Okabe-Ito colours that are dark enough for lines, as custom properties of the page.
 PALETTE = ("--blue", "--vermilion", "--green", "--purple")
 RGB_COLORS = {"r": "--vermilion", "g": "--green", "b": "--blue"}
@@ -275,26 +277,52 @@ def _density(samples: Samples, index: Sequence[int], scale: Scale) -> NDArray[np
 
 
 def residual_figure(samples: Samples) -> Html:
-    """Where over the hemisphere the fit is too bright (red) or too dark (blue), one disc for each angle of incidence."""
-    weight = np.isfinite(samples.measured)
-    rms = float(np.sqrt(np.mean(samples.measured[weight] ** 2))) or 1.0
-    difference = np.nansum(samples.fitted - samples.measured, axis=1) / np.maximum(weight.sum(1), 1) / rms
-    limit = float(np.percentile(np.abs(difference), 98)) or 1.0
-    limit = float(f"{limit:.1g}")
-    one_sided = bool(np.all(np.sin(samples.dphi) >= -1e-6) or np.all(np.sin(samples.dphi) <= 1e-6))
-    panels = [_disc(theta_i, samples.take(which), difference[which] / limit, one_sided) for theta_i, which in incidence_groups(samples.theta_i)]
-    beyond = np.mean(np.abs(difference) > limit)
-    bar = color_bar(
-        f"−{100 * limit:g} %", f"+{100 * limit:g} %", diverging(np.linspace(-1, 1, 11)), "fitted − measured, as a share of RMS(measured); white is 0:"
-    )
+    """Where over the hemisphere the fit is too bright (red) or too dark (blue), one disc for each angle of incidence.
+
+    Differences as a share of RMS(measured); where the measurement spans decades, in which case the highlight takes that scale for itself, ratios too.
+    """
+    samples = samples.thinned(MOST_CELLS)
+    usable = np.isfinite(samples.measured)
+    rms = float(np.sqrt(np.mean(samples.measured[usable] ** 2))) or 1.0
+    mean = np.nansum(np.where(usable, samples.fitted - samples.measured, 0), axis=1) / np.maximum(usable.sum(1), 1)
+    positive = samples.measured[usable & (samples.measured > 0)]
+    maps = [_discs(samples, mean / rms, "difference")]
+    if positive.size and np.percentile(positive, 99) > 30 * np.median(positive):
+        low, high = np.percentile(positive, 0.5), positive.max()
+        sums = [np.nansum(np.clip(a, low, high), 1) for a in (samples.fitted, samples.measured)]  # a floor, so that noise at 0 makes no infinities
+        maps.append(_discs(samples, np.log2(sums[0] / np.maximum(sums[1], low)), "ratio"))
+    one_sided = _one_sided(samples)
     caption = (
         "The hemisphere of viewing directions seen from above; the distance from the middle is θᵣ (circles at 30°, 60°, 90°), the light comes from the left "
         "(triangle), the mirror direction is the cross. Blue: the fit is too dark; red: too bright. "
         + ("Channels are averaged. " if samples.measured.shape[1] > 1 else "")
-        + (f"{100 * beyond:.1f} % of the samples lie beyond the scale. " if beyond else "")
-        + ("The data hold one side of the plane of incidence, mirrored here. " if one_sided and len(samples) > 1 else "")
+        + ("The data hold one side of the plane of incidence, mirrored here. " if one_sided else "")
+        + " ".join(words for _, _, words in maps)
     )
-    return figure(panels, caption, bar, kind="panels discs")
+    return tag("figure", *(join(bar, panels) for bar, panels, _ in maps), tag("figcaption", caption))
+
+
+def _discs(samples: Samples, value: Floats, kind: str) -> tuple[Html, Html, str]:
+    """The colour scale, the discs, and what the caption has to add."""
+    limit = float(f"{np.percentile(np.abs(value), 98) or 1.0:.1g}")
+    if kind == "difference":
+        ends, words = (f"−{100 * limit:g} %", f"+{100 * limit:g} %"), "fitted − measured, as a share of RMS(measured); white is 0:"
+    else:
+        limit = min(max(limit, 0.5), 5.0)
+        ends, words = (f"1/{2**limit:.2g}", f"{2**limit:.2g}"), "fitted / measured, logarithmic; white is 1:"
+    groups = incidence_groups(samples.theta_i)
+    if kind == "ratio" and len(groups) > 4:
+        groups = [groups[k] for k in np.linspace(0, len(groups) - 1, 4).round().astype(int)]
+    panels = [_disc(theta_i, samples.take(which), value[which] / limit, _one_sided(samples)) for theta_i, which in groups]
+    beyond = float(np.mean(np.abs(value) > limit))
+    name = "difference" if kind == "difference" else "ratio"
+    more = f"{100 * beyond:.1f} % of the samples lie beyond the scale of the {name}." if beyond >= 5e-4 else ""
+    return color_bar(*ends, diverging(np.linspace(-1, 1, 11)), words), tag("div", *panels, class_="panels discs"), more
+
+
+def _one_sided(samples: Samples) -> bool:
+    side = np.sin(samples.dphi)
+    return len(samples) > 1 and bool(np.all(side >= -1e-6) or np.all(side <= 1e-6))
 
 
 def _disc(theta_i: float, samples: Samples, value: Floats, one_sided: bool) -> Html:
@@ -307,17 +335,17 @@ def _disc(theta_i: float, samples: Samples, value: Floats, one_sided: bool) -> H
     x, y = -r * np.cos(samples.dphi), r * np.sin(samples.dphi)  # the light (dphi = 0) on the left
     if one_sided:
         x, y, value = np.r_[x, x], np.r_[y, -y], np.r_[value, value]
+    panel.line(90 * np.cos(circle), 90 * np.sin(circle), "--disc", "fill")
+    for radius in (30, 60, 90):
+        panel.line(radius * np.cos(circle), radius * np.sin(circle), "--muted", "guide")
     if len(value) > 1500:
         panel.picture(_averaged(x, y, value), (-90, 90), (-90, 90))
     else:
         step = np.clip(np.round(value * 8), -8, 8).astype(int)
         diameter = float(np.clip(150 / np.sqrt(max(len(value), 1)), 5, 13))
-        panel.line(90 * np.cos(circle), 90 * np.sin(circle), "--disc", "fill")
         for s in np.unique(step):
             which = step == s
             panel.dots(x[which], y[which], hex_color(diverging(s / 8)), diameter)
-    for radius in (30, 60, 90):
-        panel.line(radius * np.cos(circle), radius * np.sin(circle), "--grid", "ring")
     mirror = np.degrees(theta_i)
     panel.line([mirror - 4, mirror + 4], [-4, 4], "--ink", "ring")
     panel.line([mirror - 4, mirror + 4], [4, -4], "--ink", "ring")

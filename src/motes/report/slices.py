@@ -43,7 +43,8 @@ class Samples:
         """The samples of a fit; those masked in all channels are left out."""
         data = fit.measurement
         mask = data.mask[0]
-        keep = mask.any(1) & (data.wi[:, 2] > 0) & (data.wo[:, 2] > 0)
+        kept = mask.any(1) & (data.wi[:, 2] > 0) & (data.wo[:, 2] > 0)
+        keep = slice(None) if kept.all() else kept  # a view, where it can be one: a dense measurement has millions of samples
         mask = mask[keep]
         fitted = np.broadcast_to(fit.predicted, data.values.shape[1:])
         across = data.wi[keep, :2] + data.wo[keep, :2]
@@ -54,8 +55,8 @@ class Samples:
             data.theta_r[keep],
             data.dphi[keep],
             2 * np.arcsin(np.minimum(0.5 * chord, 1)),
-            np.where(mask, data.values[0][keep], np.nan),
-            np.where(mask, fitted[keep], np.nan),
+            _where(mask, data.values[0][keep]),
+            _where(mask, fitted[keep]),
         )
 
     def __len__(self) -> int:
@@ -76,6 +77,10 @@ class Samples:
         """Measured over fitted (n, C); NaN where either is not positive."""
         good = (self.measured > 0) & (self.fitted > 0)
         return np.where(good, self.measured, np.nan) / np.where(good, self.fitted, 1.0)
+
+
+def _where(mask: NDArray[np.bool_], values: Floats) -> Floats:
+    return values if mask.all() else np.where(mask, values, np.nan)
 
 
 @dataclass(frozen=True)

@@ -73,7 +73,7 @@ def sphere_radiance(
     dome
         Share of the dome, 0 to 1; the lamp has the rest.
     samples
-        Samples a pixel along each side.
+        Samples a pixel along each side.  The outline is smooth also with 1.
 
     Returns
     -------
@@ -82,8 +82,14 @@ def sphere_radiance(
     coverage (size, size)
         That part, 0 to 1.
     """
-    towards = np.asarray(LIGHTS[light].direction if isinstance(light, str) else light, np.float32)
-    towards = towards / np.linalg.norm(towards)
+    (radiance,), coverage = sphere_radiances(brdf, size, [light], dome=dome, samples=samples)
+    return radiance, coverage
+
+
+def sphere_radiances(
+    brdf: BRDF, size: int, lights: Sequence[str | Sequence[float]], *, dome: float = 0.15, samples: int = 1
+) -> tuple[list[Floats], Floats]:
+    """`sphere_radiance` under several lights, sharing what they have in common: a list of radiances, and the coverage."""
     n = size * samples
     # float32: a picture has eight bits, and half the memory traffic is half the time.
     axis = (((np.arange(n) + 0.5) / n * 2 - 1) * size / (size - 2)).astype(np.float32)
@@ -92,29 +98,41 @@ def sphere_radiance(
     # The part of each small square inside the circle, as if the edge were straight: smooth outlines at no cost.
     part = np.clip(0.5 + (1 - radius) * (0.5 * (size - 2) * samples), 0, 1)
     inside = part > 0
+    part = part[inside, None]
     shrink = np.minimum(1, np.float32(0.9995) / np.maximum(radius[inside], np.float32(1e-6)))  # squares on the edge take the normal just inside
     x, y = x[inside] * shrink, y[inside] * shrink
     x[(x == 0) & (y == 0)] = 1e-4  # azimuth needs a side, also in the middle
-    normal_z = np.sqrt(1 - x * x - y * y)
+    normal = np.stack([x, y, np.sqrt(1 - x * x - y * y)], -1)
+    under_dome = dome * _seen_under_dome(brdf, normal[:, 2]) if dome else np.float32(0)
 
-    # The lamp: pi (1 - dome) f cos(theta_i), so that a white Lambertian surface facing it gives 1 - dome.
-    cos_i = x * towards[0] + y * towards[1] + normal_z * towards[2]
+    def pixels(values: Floats) -> Floats:
+        """Sums over the squares of each pixel."""
+        grid = np.zeros((n, n, values.shape[-1]), np.float32)
+        grid[inside] = values
+        return grid.reshape(size, samples, size, samples, -1).sum((1, 3)) if samples > 1 else grid
+
+    covered = pixels(part)
+    radiances = []
+    for light in lights:
+        towards = np.asarray(LIGHTS[light].direction if isinstance(light, str) else light, np.float32)
+        lamp = np.float32(1 - dome) * _lit(brdf, normal, towards / np.linalg.norm(towards))
+        radiances.append(pixels((lamp + under_dome) * part) / np.maximum(covered, 1e-6))
+    return radiances, covered[..., 0] / samples**2
+
+
+def _lit(brdf: BRDF, normal: Floats, towards: Floats) -> Floats:
+    """Radiance (n, C) towards the camera under a lamp that makes a white diffuser facing it 1: pi f cos(theta_i)."""
+    cos_i = normal @ towards
     lit = np.flatnonzero(cos_i > 0)
-    x, y, cos_r, cos = x[lit], y[lit], normal_z[lit], cos_i[lit]
+    x, y, cos_r = normal[lit].T
+    cos_i = cos_i[lit]
     sin_r = np.sqrt(x * x + y * y)
-    # The local frame: the normal, the camera's direction projected (first axis), and their cross product.
-    wi = np.stack([(towards[2] - cos_r * cos) / sin_r, (y * towards[0] - x * towards[1]) / sin_r, cos], -1)
+    # The local frame: the camera's direction projected onto the surface, its cross product with the normal, and the normal.
+    wi = np.stack([(towards[2] - cos_r * cos_i) / sin_r, (y * towards[0] - x * towards[1]) / sin_r, cos_i], -1)
     wo = np.stack([sin_r, np.zeros_like(sin_r), cos_r], -1)
-    value = np.zeros((len(normal_z), brdf.channels), np.float32)
-    value[lit] = np.float32(np.pi * (1 - dome)) * evaluate(brdf, wi, wo) * cos[:, None]
-    if dome:
-        value += dome * _seen_under_dome(brdf, normal_z)
-
-    total = np.zeros((n, n, value.shape[-1]), np.float32)
-    total[inside] = value * part[inside, None]
-    total = total.reshape(size, samples, size, samples, -1).sum((1, 3))
-    covered = part.reshape(size, samples, size, samples).sum((1, 3))
-    return total / np.maximum(covered, 1e-6)[..., None], covered / samples**2
+    value = np.zeros((len(normal), brdf.channels), np.float32)
+    value[lit] = np.float32(np.pi) * evaluate(brdf, wi, wo) * cos_i[:, None]
+    return value
 
 
 def _seen_under_dome(brdf: BRDF, cos_theta_r: Floats) -> Floats:
@@ -128,7 +146,7 @@ def _seen_under_dome(brdf: BRDF, cos_theta_r: Floats) -> Floats:
         wi = directions.from_spherical(np.arcsin(np.sqrt(u.ravel())), 2 * np.pi * v.ravel())
         albedo = np.stack([np.pi * evaluate(brdf, wi, np.broadcast_to(wo, wi.shape)).mean(0) for wo in w])
     theta_r = np.arccos(np.clip(cos_theta_r, 0, 1))
-    return np.stack([np.interp(theta_r, theta, albedo[:, c]) for c in range(albedo.shape[-1])], -1)
+    return np.stack([np.interp(theta_r, theta, albedo[:, c]) for c in range(albedo.shape[-1])], -1).astype(np.float32)
 
 
 def render_sphere(
@@ -140,20 +158,18 @@ def render_sphere(
     wavelengths: ArrayLike | None = None,
     exposure: float = 1.0,
     dome: float = 0.15,
-    samples: int | None = None,
+    samples: int = 2,
 ) -> NDArray[np.uint8]:
     """A picture of a sphere of the material: 8-bit sRGB with straight alpha, (size, size, 4); see `sphere_radiance` for the light.
 
     Parameters
     ----------
-    brdf, size, light, dome
+    brdf, size, light, dome, samples
         As in `sphere_radiance`.
     channels, wavelengths
         Names (C,) and, for spectra, wavelengths (C,) [nm]; by default R, G, B for three channels, else grey.
     exposure
         Factor on the radiance; at 1 a white diffuser that faces the lamp is display white.  What is brighter clips.
-    samples
-        Samples a pixel along each side; by default 2, and 1 for more than four channels.
 
     Examples
     --------
@@ -165,7 +181,6 @@ def render_sphere(
     if channels is None:
         channels = {1: ("grey",), 3: ("R", "G", "B")}.get(brdf.channels) or tuple(map(str, range(brdf.channels)))
     matrix = channels_to_srgb(channels, wavelengths).matrix
-    samples = samples or (2 if brdf.channels <= 4 else 1)
     radiance, coverage = sphere_radiance(brdf, size, light=light, dome=dome, samples=samples)
     rgb = np.broadcast_to(radiance, (size, size, len(matrix))) @ matrix
     return np.concatenate([srgb_encode(exposure * rgb), np.round(255 * coverage).astype(np.uint8)[..., None]], axis=-1)

@@ -43,13 +43,14 @@ class Scale:
 
     @classmethod
     def ratios(cls, low: float, high: float) -> Scale:
-        """A logarithmic scale for ratios, symmetric about 1, with ticks that are one another's inverse where that reads well."""
-        reach = max(high, 1 / low, 1.04) * 1.03
-        sets = ((1.05, (0.96, 0.98, 1.02, 1.04)), (1.15, (0.9, 0.95, 1.05, 1.1)), (1.5, (0.7, 0.8, 0.9, 1.1, 1.25, 1.4)), (2.6, (0.5, 0.7, 1.4, 2)))
+        """A logarithmic scale for ratios that holds 1, with ticks that are one another's inverse where that reads well."""
+        low, high = min(low, 0.96) / 1.05, max(high, 1.04) * 1.05
+        reach = max(high, 1 / low)
+        sets = ((1.1, (0.92, 0.96, 1.04, 1.08)), (1.2, (0.85, 0.9, 0.95, 1.05, 1.1, 1.15)), (1.5, (0.7, 0.8, 0.9, 1.1, 1.25, 1.4)), (2.6, (0.5, 0.7, 1.4, 2)))
         ticks = next((t for most, t in sets if reach <= most), (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 2, 5, 10, 20, 50, 100))
         if reach > 30:
             ticks = tuple(10.0**k for k in range(-8, 9) if k and (reach < 1e4 or k % 2 == 0))
-        return cls(1 / reach, reach, True, tuple(sorted((*ticks, 1.0))))
+        return cls(low, high, True, tuple(sorted((*ticks, 1.0))))
 
     @classmethod
     def around(cls, *values: ArrayLike, log: bool = False, zero: bool = False, margin: float = 0.04) -> Scale:
