@@ -26,7 +26,7 @@ lint: $(VENV)/.installed-dev
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
-	$(BIN)/lint-imports
+	$(BIN)/lint-imports --no-cache
 
 # One rule for both sets of packages: all and dev.  Making an environment over an existing one mends a half-made one.
 $(VENV)/.installed-%: pyproject.toml

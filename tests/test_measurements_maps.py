@@ -74,6 +74,15 @@ def test_specular_may_have_colours_but_roughness_may_not(tmp_path: Path):
         read(files.staf_folder(tmp_path / "b", c))
 
 
+def test_the_library_is_quiet_about_damage(tmp_path: Path, capfd: pytest.CaptureFixture[str]):
+    folder = files.staf_folder(tmp_path, coefficients((64, 64)))
+    data = (folder / "Diffuse-0.exr").read_bytes()
+    (folder / "Diffuse-0.exr").write_bytes(data[:-40])
+    with pytest.raises(FormatError, match="cannot be decoded"):
+        read(folder)
+    assert capfd.readouterr() == ("", "")
+
+
 def test_incomplete_and_damaged_folders(tmp_path: Path):
     folder = files.staf_folder(tmp_path / "a", coefficients())
     with pytest.raises(FormatError, match="Give the folder"):

@@ -147,7 +147,10 @@ def test_derivatives_by_every_parameter(library: Library, entry: Entry) -> None:
 def test_derivatives_are_finite_in_special_directions(library: Library, entry: Entry) -> None:
     wi, wo = library.tensor(SPECIAL_WI), library.tensor(SPECIAL_WO)
     n = len(SPECIAL)
-    each = {name: np.broadcast_to(value, (n, *np.shape(value))).copy() for name, value in entry.model.parameters.items()}
+    each = {}
+    for slot in entry.model.slots():  # a parameter of its own for every pair of directions
+        value = np.atleast_1d(slot.value) if slot.parameter.per_channel else np.asarray(slot.value)
+        each[slot.name] = np.broadcast_to(value, (n, *value.shape)).copy()
     derivatives = library.gradient(lambda values: entry.model.with_parameters(values).eval(wi, wo), each)
     for name, derivative in derivatives.items():
         finite = np.isfinite(derivative).reshape(n, -1).all(axis=-1)

@@ -38,6 +38,7 @@ def make_app() -> App:
         help=HELP,
         help_format="plaintext",  # Markdown would cost a third of the time of --help
         default_parameter=cyclopts.Parameter(show_default=_default),
+        suppress_keyboard_interrupt=False,  # `main` answers it
     )
     for command in (fit, info, simulate, demo):
         app.command(command, help=_description(command))

@@ -1,4 +1,4 @@
-"""`Material`: a BRDF with its channels, saved as JSON that says its own conventions."""
+"""`Material`: a BRDF whose parameters may follow time, saved as JSON that says its own conventions."""
 
 from __future__ import annotations
 
@@ -10,10 +10,13 @@ from pathlib import Path
 from typing import Any, Self, final
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-from motes.errors import FormatError, MotesError
+from motes.errors import FormatError, MotesError, ParameterError
 from motes.files import write_text
 from motes.models import BRDF, describe, parse
+from motes.parameters import Parameter
+from motes.trends import AnyTrend, trend_from_dict
 
 VERSION = 1
 LARGEST_FILE = 64 * 2**20
@@ -27,18 +30,20 @@ CONVENTIONS = {
 @final
 @dataclass(frozen=True)
 class Material:
-    """A named BRDF.
+    """A named BRDF, of which some parameters may be functions of time.
 
     Parameters
     ----------
     brdf
-        The model with its parameters.
+        The model with its parameters; for those that follow time, their values at the first moment.
     name
         For people.
     channels
         Names of the channels, as many as the BRDF has (one name serves a grey BRDF).
     wavelengths
         Of the channels [nm]; empty when they are not spectral.
+    trends
+        By the names of the BRDF's parameters; what is not named does not change.
     about
         Where it comes from: data, loss, residuals; plain JSON values.
     """
@@ -47,11 +52,51 @@ class Material:
     name: str = "material"
     channels: tuple[str, ...] = ("grey",)
     wavelengths: tuple[float, ...] = ()
+    trends: Mapping[str, AnyTrend] = field(default_factory=dict)
     about: Mapping[str, Any] = field(default_factory=dict)
 
-    def at(self, hours: float = 0.0) -> BRDF:
-        """The BRDF at a time; the same at all times for a material whose parameters do not change."""
-        return self.brdf
+    def __post_init__(self) -> None:
+        names = [slot.name for slot in self.brdf.slots()]
+        unknown = [name for name in self.trends if name not in names]
+        if unknown:
+            raise ParameterError(
+                f"{describe(self.brdf)} has no parameter {unknown[0]!r} to follow a trend", f"It has {', '.join(names)}"
+            )
+
+    def at(self, hours: ArrayLike = 0.0) -> BRDF:
+        """The BRDF at a time, or at many.
+
+        Parameters
+        ----------
+        hours
+            A time [h], or times (T,): then the parameters that change have a leading axis T, and ``eval`` of directions (N, 3) gives (T, N, C).
+
+        Raises
+        ------
+        ParameterError
+            When a time is not finite.
+        """
+        t = np.asarray(hours, float)
+        if not np.isfinite(t).all():
+            raise ParameterError(f"a time of {t.ravel()[~np.isfinite(t.ravel())][0]} h is not finite")
+        values = {}
+        for slot in self.brdf.slots():
+            if slot.name in self.trends:
+                value = _inside(self.trends[slot.name](t), slot.parameter)
+                if t.ndim:  # an axis for the directions, between the times and the channels
+                    value = (
+                        value[..., None, :]
+                        if value.ndim > t.ndim
+                        else (value[..., None, None] if slot.parameter.per_channel else value[..., None])
+                    )
+                values[slot.name] = value
+        return self.brdf.with_parameters(values) if values else self.brdf
+
+    @property
+    def interval(self) -> tuple[float, float] | None:
+        """The times [h] over which its trends were observed; None for a material that does not change."""
+        intervals = [trend.interval for trend in self.trends.values()]
+        return (min(a for a, _ in intervals), max(b for _, b in intervals)) if intervals else None
 
     def to_dict(self) -> dict[str, Any]:
         """Plain JSON values; see `save`."""
@@ -71,6 +116,8 @@ class Material:
             "parameters": parameters,
             "channels": list(self.channels),
             "wavelengths_nm": list(self.wavelengths),
+            "trends": {name: trend.to_dict() for name, trend in self.trends.items()},
+            "time_unit": "h",
             "conventions": CONVENTIONS,
             "about": dict(self.about),
         }
@@ -96,6 +143,7 @@ class Material:
                 name=str(data.get("name", "material")),
                 channels=tuple(str(c) for c in data.get("channels", ("grey",))),
                 wavelengths=tuple(float(w) for w in data.get("wavelengths_nm", ())),
+                trends={str(name): trend_from_dict(t) for name, t in dict(data.get("trends", {})).items()},
                 about=dict(data.get("about", {})),
             )
         except (KeyError, TypeError, AttributeError, ValueError) as error:
@@ -108,6 +156,13 @@ class Material:
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Write the material as JSON, whole or not at all."""
         return write_text(path, json.dumps(self.to_dict(), indent=1, allow_nan=False) + "\n")
+
+
+def _inside(value: NDArray[np.float64], parameter: Parameter) -> NDArray[np.float64]:
+    """Within the range that the model accepts; an open bound is kept off by a hair."""
+    low, high = parameter.bounds
+    hair = 1e-9 * (high - low) if parameter.open else 0.0
+    return np.clip(value, low + hair, high - hair)
 
 
 def load(path: str | os.PathLike[str]) -> Material:

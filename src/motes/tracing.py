@@ -303,6 +303,18 @@ def frontier(outputs: Sequence[Symbol], bits: Mapping[Symbol, int], inside: int)
     return [symbol for symbol in bits if symbol in needed and bits[symbol] and not bits[symbol] & ~inside]
 
 
+def rewritten(outputs: Sequence[Symbol], rule: Callable[[Symbol, tuple[Symbol, ...]], Symbol | None]) -> list[Symbol]:
+    """The outputs with operations replaced: ``rule(symbol, new_arguments)`` gives a replacement, or None to keep the operation."""
+    new: dict[Symbol, Symbol] = {}
+    for symbol in live(outputs):
+        args = tuple(new[a] for a in symbol.args)
+        replacement = rule(symbol, args) if args else None
+        if replacement is None:
+            replacement = symbol if args == symbol.args else symbol.graph.apply(symbol.op, *args)
+        new[symbol] = replacement
+    return [new[symbol] for symbol in outputs]
+
+
 # ---------------------------------------------------------------- Models
 
 DIRECTIONS, PARAMETERS = 1, 2  # bits for `dependence`

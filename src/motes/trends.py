@@ -381,11 +381,28 @@ class Tabulated:
         object.__setattr__(self, "hours", hours)
         object.__setattr__(self, "values", values)
 
+    @property
+    def interval(self) -> tuple[float, float]:
+        """The first and the last time [h]."""
+        return float(self.hours[0]), float(self.hours[-1])
+
     def __call__(self, hours: ArrayLike) -> Floats:
+        """The value at times [h] of any shape (...): (...) or (..., C)."""
         t = np.asarray(hours, float)
         if self.values.ndim == 1:
             return np.interp(t, self.hours, self.values)
         return np.stack([np.interp(t, self.hours, column) for column in self.values.T], axis=-1)
 
     def to_dict(self) -> dict[str, Any]:
+        """Plain JSON values."""
         return {"kind": "tabulated", "hours": self.hours.tolist(), "values": self.values.tolist()}
+
+
+AnyTrend = Trend | Tabulated
+
+
+def trend_from_dict(data: Mapping[str, Any]) -> AnyTrend:
+    """Back from ``to_dict`` of either; raises `ParameterError` or KeyError when something is missing."""
+    if data.get("kind") == "tabulated":
+        return Tabulated(np.asarray(data["hours"], float), np.asarray(data["values"], float))
+    return Trend.from_dict(data)

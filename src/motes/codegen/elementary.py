@@ -132,14 +132,19 @@ def expm1(x):
 
 
 @part
+def asin_near(x):
+    """On [-0.7072, 0.7072]."""
+    z = x * x
+    p = {asin}
+    return p * (z * x) + x
+
+
+@part
 def asin(x):
     """By asin(x) = pi/2 - asin(sqrt(1 - x^2)) where x > sin(pi/4)."""
     a = select(x < F(0.0), -x, x)
     far = a > F(0.70715)
-    b = select(far, math.sqrt((F(1.0) - a) * (F(1.0) + a)), a)
-    z = b * b
-    p = {asin}
-    y = p * (z * b) + b
+    y = asin_near(select(far, math.sqrt((F(1.0) - a) * (F(1.0) + a)), a))
     y = select(far, F(1.5707963267948966) - y, y)
     return select(x < F(0.0), -y, y)
 '''

@@ -7,25 +7,27 @@ parameters alone is not in it: the engine computes these *constants* in float64 
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 from motes import tracing
-from motes.codegen import elementary
+from motes.codegen import elementary, nan
 from motes.codegen.printer import ARITHMETIC, Target, statements
 from motes.tracing import DIRECTIONS, PARAMETERS, Symbol, Trace, TracedParameter
 
 TILE = 1024  # directions; their components and results fit the level-1 cache together with what is spilled
 
-# In minimum and maximum a NaN wins, as in NumPy: the comparison with it is false, or it is the first operand and chosen for that.
 _TEMPLATES = ARITHMETIC | {
     "sqrt": "sqrt({0})",
     "exp": "exp({0})",
     "expm1": "expm1({0})",
     "asin": "asin({0})",
-    "minimum": "minimum({0}, {1})",
-    "maximum": "maximum({0}, {1})",
     "where": "select({0}, {1}, {2})",
+}
+# Minima and maxima: one instruction, which keeps a NaN of `a` and drops one of `b`; and one that keeps either (see `motes.codegen.nan`).
+_EXTREMA = {
+    "minimum": ("select({a} > {b}, {b}, {a})", "select(({a} < {b}) | ({a} != {a}), {a}, {b})"),
+    "maximum": ("select({a} < {b}, {b}, {a})", "select(({a} > {b}) | ({a} != {a}), {a}, {b})"),
 }
 
 _HEADER = '''"""{title}"""
@@ -42,16 +44,6 @@ sqrt = math.sqrt
 # Without nnan and ninf: NaN is to stay NaN.  Without reassoc: range reduction and short sums of long terms depend on their order.
 options = dict(error_model="numpy", fastmath={{"nsz", "arcp", "contract"}})
 part = numba.njit(**options)
-
-
-@part
-def minimum(a, b):
-    return select((a < b) | (a != a), a, b)
-
-
-@part
-def maximum(a, b):
-    return select((a > b) | (a != a), a, b)
 
 '''
 
@@ -161,10 +153,11 @@ def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     scalar
         ``"float32"`` or ``"float64"``.
     """
-    rows, bits = _dependence(trace, trace.outputs, varying)
-    constants = tracing.frontier(trace.outputs, bits, PARAMETERS)
-    loads, given = _given(trace, constants, rows, bits)
-    lines, results = statements(_target(), trace.outputs, given)
+    rows, leaves = _leaves(trace, varying)
+    outputs = _without_division(trace.outputs, leaves)
+    constants = tracing.frontier(outputs, tracing.dependence(outputs, leaves), PARAMETERS)
+    loads, given = _given(trace, constants, rows)
+    lines, results = statements(_target(outputs, _inputs(leaves)), outputs, given)
     lanes = len(results)
     body = [*_loads(trace, lanes, given, rows), *lines]
     body += [f'store(F, f, {_row("f_row", c)}n, {result}, "span", {c}, {lanes})' for c, result in enumerate(results)]
@@ -180,37 +173,33 @@ def gradient(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     stored for every direction.
     """
     graph = trace.graph
-    seeds = {output: graph.leaf(f"seed[{c}]") for c, output in enumerate(trace.outputs)}
-    if len(seeds) != len(trace.outputs):  # channels of equal value: their seeds act together
-        seeds = {}
-        for c, output in enumerate(trace.outputs):
-            seed = graph.leaf(f"seed[{c}]")
-            seeds[output] = seeds[output] + seed if output in seeds else seed
-    seed_leaves = [graph.leaf(f"seed[{c}]") for c in range(len(trace.outputs))]
-    rows, bits = _dependence(trace, trace.outputs, varying)
-    constants = tracing.frontier(trace.outputs, bits, PARAMETERS)
+    rows, leaves = _leaves(trace, varying)
+    outputs = _without_division(trace.outputs, leaves)
+    seeds: dict[Symbol, Symbol] = {}
+    seed_leaves = [graph.leaf(f"seed[{c}]") for c in range(len(outputs))]
+    for output, seed in zip(outputs, seed_leaves, strict=True):  # channels of equal value are one symbol
+        seeds[output] = seeds[output] + seed if output in seeds else seed
+    constants = tracing.frontier(outputs, tracing.dependence(outputs, leaves), PARAMETERS)
     slopes = tracing.adjoint(seeds, [*constants, *(p.symbol for p in rows)])
     totals = [symbol for symbol in constants if symbol in slopes]
-    wanted = [slopes[symbol] for symbol in totals]
-    stored = [slopes.get(p.symbol, graph.constant(0.0)) for p in rows]
+    wanted = [*(slopes[symbol] for symbol in totals), *(slopes.get(p.symbol, graph.constant(0.0)) for p in rows)]
 
-    leaves = trace.leaves() | {p.symbol: DIRECTIONS for p in rows} | dict.fromkeys(seed_leaves, DIRECTIONS)
-    bits = tracing.dependence([*wanted, *stored], leaves)
-    constants = tracing.frontier([*wanted, *stored], bits, PARAMETERS)
-    loads, given = _given(trace, constants, rows, bits)
+    leaves |= dict.fromkeys(seed_leaves, DIRECTIONS)
+    constants = tracing.frontier(wanted, tracing.dependence(wanted, leaves), PARAMETERS)
+    loads, given = _given(trace, constants, rows)
     given |= {leaf: f"seed{c}" for c, leaf in enumerate(seed_leaves)}
-    lines, results = statements(_target(), [*wanted, *stored], given)
+    lines, results = statements(_target(wanted, _inputs(leaves)), wanted, given)
     lanes = max(1, len(rows))
     body = [*_loads(trace, lanes, given, rows)]
     body += [f'seed{c} = load(F, f, {_row("f_row", c)}n, "span", {lanes})' for c in range(len(seed_leaves))]
     body += lines
-    body += [f"s{k} = add_in_any_order(s{k}, {result})" for k, result in enumerate(results[: len(wanted)])]
+    body += [f"s{k} = add_in_any_order(s{k}, {result})" for k, result in enumerate(results[: len(totals)])]
     body += [
-        f'store(F, slopes, {_row("row", v)}n, {result}, "span", {v}, {lanes})' for v, result in enumerate(results[len(wanted) :])
+        f'store(F, slopes, {_row("row", v)}n, {result}, "span", {v}, {lanes})' for v, result in enumerate(results[len(totals) :])
     ]
-    before = [*loads, *(f"s{k} = F(0.0)" for k in range(len(wanted)))]
+    before = [*loads, *(f"s{k} = F(0.0)" for k in range(len(totals)))]
     after = [
-        f'store(np.float64, totals, {k}, load(np.float64, totals, {k}, "other", 1) + s{k}, "totals", 0, 1)' for k in range(len(wanted))
+        f'store(np.float64, totals, {k}, load(np.float64, totals, {k}, "other", 1) + s{k}, "totals", 0, 1)' for k in range(len(totals))
     ]
     span = _span("i, i_row, o, o_row, constants, varying, row, f, f_row, slopes, totals, count", before, body, after)
     driver = _GRADIENT.format(signature=_signature(17), channels=len(seed_leaves))
@@ -223,18 +212,45 @@ def functions(scalar: str) -> str:
     return _joined(_header("Elementary functions", scalar), elementary.source(elementary.PRECISIONS[scalar]))
 
 
-def _target() -> Target:
-    def constant(value: float | bool) -> str:
-        return repr(value) if isinstance(value, bool) else f"F({value!r})"
+def _target(outputs: Sequence[Symbol], leaves: Collection[Symbol]) -> Target:
+    """How to print `outputs`, of which `leaves` may be NaN."""
+    special = {}
+    careful = nan.careful(outputs, leaves)
+    for symbol in tracing.live(outputs):
+        if symbol.op in _EXTREMA:
+            order = {"a": "{0}", "b": "{1}"} if nan.first(symbol) is symbol.args[0] else {"a": "{1}", "b": "{0}"}
+            special[symbol] = _EXTREMA[symbol.op][symbol in careful].format(**order)
+        elif symbol.op == "asin" and symbol.args[0].op == "minimum":
+            # directions.polar_angle: the smaller of a sine and a cosine is at most sin(pi/4).
+            special[symbol] = "asin_near({0})"
+    return Target(_TEMPLATES, _constant, special=special)
 
-    return Target(_TEMPLATES, constant)
+
+def _constant(value: float | bool) -> str:
+    return repr(value) if isinstance(value, bool) else f"F({value!r})"
 
 
-def _dependence(
-    trace: Trace, outputs: Sequence[Symbol], varying: Collection[str]
-) -> tuple[list[TracedParameter], dict[Symbol, int]]:
+def _without_division(outputs: Sequence[Symbol], leaves: Mapping[Symbol, int]) -> list[Symbol]:
+    """Division by what is constant becomes multiplication by its inverse, one more constant: one rounding more, and much faster."""
+    bits = tracing.dependence(outputs, leaves)
+
+    def rule(symbol: Symbol, args: tuple[Symbol, ...]) -> Symbol | None:
+        if symbol.op != "div" or bits[symbol.args[1]] != PARAMETERS or not bits[symbol] & DIRECTIONS:
+            return None
+        return args[0] * (1.0 / args[1])
+
+    return tracing.rewritten(outputs, rule)
+
+
+def _leaves(trace: Trace, varying: Collection[str]) -> tuple[list[TracedParameter], dict[Symbol, int]]:
+    """The parameters that vary, and all leaves with their bits: what varies counts as a direction."""
     rows = [p for p in trace.parameters if p.slot in varying]
-    return rows, tracing.dependence(outputs, trace.leaves() | {p.symbol: DIRECTIONS for p in rows})
+    return rows, trace.leaves() | {p.symbol: DIRECTIONS for p in rows}
+
+
+def _inputs(leaves: Mapping[Symbol, int]) -> list[Symbol]:
+    """Those that a kernel reads for every direction."""
+    return [leaf for leaf, bit in leaves.items() if bit == DIRECTIONS]
 
 
 def _row(name: str, k: int) -> str:
@@ -243,7 +259,7 @@ def _row(name: str, k: int) -> str:
 
 
 def _given(
-    trace: Trace, constants: Sequence[Symbol], rows: Sequence[TracedParameter], bits: dict[Symbol, int]
+    trace: Trace, constants: Sequence[Symbol], rows: Sequence[TracedParameter]
 ) -> tuple[list[str], dict[Symbol, str]]:
     """Statements that load the constants, and the names of everything a formula starts from."""
     axes = [f"{w}{axis}" for w in "io" for axis in "xyz"]
@@ -281,7 +297,7 @@ def _header(title: str, scalar: str) -> str:
 
 
 def _module(trace: Trace, title: str, scalar: str, span: str, driver: str) -> str:
-    needs = any(f"{name}(" in span for name in ("exp", "expm1", "asin"))
+    needs = any(f"{name}(" in span for name in ("exp", "expm1", "asin", "asin_near"))
     title = f"{title}: generated by Motes, {len(trace.outputs)} channel(s), {scalar}."
     functions = elementary.source(elementary.PRECISIONS[scalar]) if needs else ""
     return _joined(_header(title, scalar), functions, _COLUMNS, span, driver)

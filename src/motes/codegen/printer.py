@@ -36,12 +36,15 @@ class Target:
         A statement, with ``{name}`` and ``{value}``.
     repeats
         Operations whose template names an argument twice: their arguments are computed beforehand.
+    special
+        Templates of single symbols, instead of that of their operation; these may repeat arguments too.
     """
 
     templates: Mapping[str, str]
     constant: Callable[[float | bool], str] = repr
     assignment: str = "{name} = {value}"
-    repeats: frozenset[str] = field(default=frozenset())
+    repeats: frozenset[str] = frozenset()
+    special: Mapping[Symbol, str] = field(default_factory=dict)
 
 
 def statements(
@@ -65,7 +68,7 @@ def statements(
     order = [symbol for symbol in live_until(outputs, given) if symbol not in given]
     uses = Counter(a for symbol in order for a in symbol.args)
     uses.update(outputs)
-    named = {a for symbol in order if symbol.op in target.repeats for a in symbol.args}
+    named = {a for symbol in order if symbol.op in target.repeats or symbol in target.special for a in symbol.args}
     text: dict[Symbol, str] = dict(given)
     lines: list[str] = []
     for symbol in order:
@@ -74,7 +77,7 @@ def statements(
             continue
         if symbol.op == "leaf":
             raise KeyError(f"the leaf {symbol!r} was not given")
-        template = target.templates[symbol.op]
+        template = target.special.get(symbol) or target.templates[symbol.op]
         arguments = [text[a] for a in symbol.args]
         if not template.startswith("("):  # a call, whose arguments need no brackets
             arguments = [unbracketed(argument) for argument in arguments]

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import io
+import os
 import struct
+from collections.abc import Iterator
+from contextlib import contextmanager, redirect_stdout
 from pathlib import Path
 
 import numpy as np
@@ -62,7 +66,7 @@ def read(path: Path, purpose: str) -> dict[str, NDArray[np.float32]]:
     if size(path) is None:
         raise FormatError(f"{path} is not a complete OpenEXR picture of sane size", "Fetch the file again")
     try:
-        with np.errstate(invalid="ignore"), OpenEXR.File(str(path), separate_channels=True) as file:
+        with _quiet(), np.errstate(invalid="ignore"), OpenEXR.File(str(path), separate_channels=True) as file:
             channels = {name: np.asarray(c.pixels, np.float32) for name, c in file.channels().items()}
     except Exception as error:  # the library raises what it likes: RuntimeError, ValueError, TypeError
         raise FormatError(
@@ -71,6 +75,29 @@ def read(path: Path, purpose: str) -> dict[str, NDArray[np.float32]]:
     if not channels or any(c.ndim != 2 or c.shape != next(iter(channels.values())).shape for c in channels.values()):
         raise FormatError(f"{path} has no channels of one size", "Layers and subsampled channels are not read")
     return channels
+
+
+@contextmanager
+def _quiet() -> Iterator[None]:
+    """Keep the library's remarks on damaged files from the terminal: the error that follows says it in a sentence.
+
+    It prints to Python's stdout, which may be a table for machines, and C's stderr.
+    """
+    try:
+        saved = os.dup(2)
+    except OSError:  # no stderr, nothing to keep quiet
+        saved = -1
+    try:
+        if saved >= 0:
+            sink = os.open(os.devnull, os.O_WRONLY)
+            os.dup2(sink, 2)
+            os.close(sink)
+        with redirect_stdout(io.StringIO()):
+            yield
+    finally:
+        if saved >= 0:
+            os.dup2(saved, 2)
+            os.close(saved)
 
 
 def rgb(path: Path, purpose: str) -> NDArray[np.float32]:

@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 import motes
+from motes.directions import theta
 from motes.files import write_text
 from motes.fitting.losses import LOSSES
 from motes.fitting.result import Fit, FittedParameter, Verdict
@@ -361,8 +362,9 @@ def _provenance(context: Context) -> Html:
     channels = ", ".join(data.channels[:8]) + (f", … {data.channels[-1]} ({data.n_channels})" if data.n_channels > 8 else "")
     pairs.append(("channels", channels))
     if data.n_directions:
-        for name, theta in (("θᵢ", data.theta_i), ("θᵣ", data.theta_r)):
-            pairs.append((name, f"{np.degrees(theta.min()):.3g}° to {np.degrees(theta.max()):.3g}°"))
+        for name, w in (("θᵢ", data.wi), ("θᵣ", data.wo)):
+            low, high = (theta(w[k(w[:, 2])]) for k in (np.argmax, np.argmin))
+            pairs.append((name, f"{np.degrees(low):.3g}° to {np.degrees(high):.3g}°"))
     pairs.append(("weights", "by solid angle" if np.ptp(data.weights) > 0 else "all alike"))
     if float(data.times[0]) or about.get("n_times"):
         pairs.append(("time", f"{data.times[0]:g} {data.time_unit}"))

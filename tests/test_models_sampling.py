@@ -1,0 +1,177 @@
+"""Sampling: `sample` follows `pdf` (chi-square), weights are eval cos / pdf, and integrals by sampling are the integrals."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+from catalogue import COAT, ENTRIES, Entry, direction, upper_directions
+from numpy.testing import assert_allclose
+from numpy.typing import NDArray
+from scipy.stats import chi2
+
+from motes import engine
+from motes.models import BRDF, Lambert, Sampled, TorranceSparrow
+
+ANGLES = (0.0, 0.9, 1.4)
+SAMPLES = 40_000
+# All the tests together fail by chance in one of a hundred worlds (Sidak); the seeds are fixed, so that this is not a thing of luck.
+SIGNIFICANCE = 1 - (1 - 0.01) ** (1 / (len(ENTRIES) * len(ANGLES)))
+
+every_entry = pytest.mark.parametrize("entry", ENTRIES, ids=str)
+every_angle = pytest.mark.parametrize("theta_i", ANGLES)
+
+
+@pytest.fixture(autouse=True)
+def by_the_equations(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The tests of the engine compare it with NumPy; here nothing is compiled."""
+    monkeypatch.setattr(engine, "THRESHOLD", 10**18)
+
+
+def draw(model: BRDF, wi: NDArray[np.float64], seed: int, n: int = SAMPLES) -> Sampled:
+    return model.sample(wi, np.random.default_rng(seed).random((n, 2)))
+
+
+# ---------------------------------------------------------------- The chi-square test
+
+
+@dataclass(frozen=True)
+class Bins:
+    """A grid of (cos(theta_r), phi), on which solid angle is uniform, that is fine where the samples of a first draw lie dense."""
+
+    z: NDArray[np.float64]
+    phi: NDArray[np.float64]
+
+    @classmethod
+    def of(cls, wo: NDArray[np.float64], n: int = 16) -> Bins:
+        wo = wo[wo[:, 2] > 0]
+        inner = np.linspace(0, 1, n + 1)[1:-1]
+        z, phi = wo[:, 2], np.arctan2(wo[:, 1], wo[:, 0])
+        uniform = np.linspace(0, 1, 5)  # and nowhere very coarse
+        z_edges = np.concatenate([np.quantile(z, inner), uniform])
+        phi_edges = np.concatenate([np.quantile(phi, inner), np.pi * (2 * uniform - 1)])
+        return cls(np.unique(z_edges), np.unique(phi_edges))
+
+    def count(self, wo: NDArray[np.float64]) -> NDArray[np.float64]:
+        wo = wo[wo[:, 2] > 0]
+        return np.histogram2d(wo[:, 2], np.arctan2(wo[:, 1], wo[:, 0]), bins=(self.z, self.phi))[0]
+
+    def integrate(self, model: BRDF, wi: NDArray[np.float64], nodes: int = 10) -> NDArray[np.float64]:
+        """The integral of the density over every bin, by a Gauss-Legendre rule in each."""
+        x, w = np.polynomial.legendre.leggauss(nodes)
+        (z, dz), (phi, dphi) = (
+            (0.5 * (e[1:] + e[:-1])[:, None] + 0.5 * np.diff(e)[:, None] * x, 0.5 * np.diff(e)[:, None] * w)
+            for e in (self.z, self.phi)
+        )
+        Z, P = z[:, None, :, None], phi[None, :, None, :]
+        r = np.sqrt((1 - Z) * (1 + Z))
+        wo = np.stack(np.broadcast_arrays(r * np.cos(P), r * np.sin(P), Z), axis=-1)
+        return np.einsum("abij,ai,bj->ab", model.pdf(wi, wo), dz, dphi)
+
+
+def chi_square(observed: NDArray[np.float64], expected: NDArray[np.float64]) -> tuple[float, int]:
+    """The statistic and its degrees of freedom; the bins that expect least are pooled until they expect 5."""
+    order = np.argsort(expected, axis=None)
+    observed, expected = observed.ravel()[order], expected.ravel()[order]
+    pooled = int(np.searchsorted(np.cumsum(expected), 5.0)) + 1
+    first = slice(0, max(pooled, int(np.searchsorted(expected, 5.0))))
+    observed = np.concatenate([[observed[first].sum()], observed[first.stop :]])
+    expected = np.concatenate([[expected[first].sum()], expected[first.stop :]])
+    return float(np.sum((observed - expected) ** 2 / expected)), len(expected) - 1
+
+
+@every_angle
+@every_entry
+def test_samples_follow_the_density(entry: Entry, theta_i: float) -> None:
+    """Over the hemisphere, with the samples lost below the horizon as a bin of their own: what the density lacks to 1."""
+    wi = direction(theta_i, 0.5)
+    bins = Bins.of(draw(entry.model, wi, 1).wo)
+    wo = draw(entry.model, wi, 2).wo
+    share = bins.integrate(entry.model, wi)
+    counts = bins.count(wo)
+    lost = SAMPLES - counts.sum()
+    assert share.sum() <= 1 + 1e-4
+    statistic, freedom = chi_square(
+        np.append(counts, lost), SAMPLES * np.append(share, max(1 - share.sum(), 1e-6 / SAMPLES))
+    )
+    assert freedom >= 30
+    assert chi2.sf(statistic, freedom) > SIGNIFICANCE, f"chi-square {statistic:.0f} for {freedom} degrees of freedom"
+
+
+def test_the_chi_square_test_sees_a_density_that_is_2_percent_off() -> None:
+    """The test itself can fail: a highlight 2 % wider than its density."""
+    wi = direction(0.9, 0.5)
+    narrow, wide = TorranceSparrow(0.3, 0.15), TorranceSparrow(0.3, 0.153)
+    bins, wo = Bins.of(draw(narrow, wi, 1).wo), draw(wide, wi, 2).wo
+    share = bins.integrate(narrow, wi)
+    statistic, freedom = chi_square(bins.count(wo), SAMPLES * share)
+    assert chi2.sf(statistic, freedom) < SIGNIFICANCE
+
+
+# ---------------------------------------------------------------- Weights
+
+
+@every_angle
+@every_entry
+def test_weight_is_eval_cos_over_pdf(entry: Entry, theta_i: float) -> None:
+    wi = direction(theta_i, 0.5)
+    wo, pdf, weight = draw(entry.model, wi, 3, 500)
+    assert_allclose(np.linalg.norm(wo, axis=-1), 1, rtol=1e-12)
+    assert_allclose(pdf, entry.model.pdf(wi, wo), rtol=1e-12)
+    kept = wo[:, 2] > 0
+    assert np.all(pdf[kept] > 0)
+    expected = entry.model.eval(wi, wo[kept]) * wo[kept, 2:] / pdf[kept, None]
+    assert_allclose(weight[kept], expected, rtol=1e-12)
+    assert np.all(pdf[~kept] == 0)
+    assert np.all(weight[~kept] == 0)
+
+
+@every_angle
+@every_entry
+def test_the_mean_weight_is_the_directional_albedo(entry: Entry, theta_i: float) -> None:
+    wi = direction(theta_i, 0.5)
+    weight = draw(entry.model, wi, 4).weight
+    standard_error = weight.std(axis=0) / np.sqrt(SAMPLES)
+    unit = 4 * np.pi if not entry.reciprocal else 1.0
+    # 1.1e-4 is the largest error of the quadrature at these angles (docs/accuracy.md).
+    assert np.all(np.abs(weight.mean(axis=0) - entry.model.directional_albedo(wi)) < 4 * standard_error + 1.1e-4 * unit)
+    assert np.all(standard_error < 0.02 * unit)
+
+
+@every_entry
+def test_many_lights_at_once(entry: Entry) -> None:
+    wi, u = upper_directions(6, 5), np.random.default_rng(6).random((4, 6, 2))
+    many = entry.model.sample(wi, u)
+    assert many.wo.shape == (4, 6, 3)
+    assert many.pdf.shape == (4, 6)
+    assert many.weight.shape == (4, 6, entry.model.channels)
+    for j, k in ((0, 0), (3, 5), (2, 1)):
+        for a, b in zip(many, entry.model.sample(wi[k], u[j, k]), strict=True):
+            assert_allclose(a[j, k], b, rtol=1e-9, atol=1e-12)
+
+
+def test_a_narrow_highlight_is_found_where_cosine_sampling_misses_it() -> None:
+    wi = direction(0.6)
+    highlight = TorranceSparrow(1.0, 0.03, normalization="facets")
+    own = draw(highlight, wi, 7).weight
+    wo = draw(Lambert(1.0), wi, 7).wo
+    by_cosine = highlight.eval(wi, wo) * np.pi
+    assert by_cosine.var() > 100 * own.var()
+
+
+def test_a_mixture_spends_its_samples_on_what_reflects() -> None:
+    """A dim surface under a bright coat, and the reverse."""
+    wi = direction(0.6)
+    near = direction(0.6, np.pi)
+    for K_d, K_s, more in ((0.001, 1.0, True), (0.9, 1e-3, False)):
+        wo = draw(Lambert(K_d) + COAT.with_parameters({"K_s": K_s}), wi, 8).wo
+        assert (np.mean(wo @ near > np.cos(0.5)) > 0.7) is more
+
+
+def test_samples_in_the_dark_are_numbers() -> None:
+    black = Lambert(0.0) + TorranceSparrow(0.0, 0.1)
+    wo, pdf, weight = draw(black, direction(0.5), 9, 100)
+    assert np.isfinite(wo).all()
+    assert np.all((pdf > 0) == (wo[:, 2] > 0))
+    assert np.all(weight == 0)
