@@ -12,13 +12,13 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from golden import Rows
 from numpy.typing import NDArray
 from scipy.integrate import quad
 
+from golden import Rows
 from motes.arrays import NUMPY
 from motes.directions import Geometry, Vector
-from motes.models import BRDF, Conductor, Dielectric, Dust, DustLayer, Lambert, OrenNayar, Schlick, Sum, TorranceSparrow
+from motes.models import BRDF, Conductor, Dielectric, Dust, DustLayer, Lambert, OrenNayar, Schlick, TorranceSparrow
 
 AtRows = Callable[[Rows], tuple[BRDF, NDArray[np.float64]]]
 
@@ -175,7 +175,9 @@ def facets_at_normal_incidence(sigma_s: float) -> float:
     def integrand(t: float) -> float:
         return 2 * np.pi * np.exp(-((t / sigma_s) ** 2)) * np.cos(t) * np.sin(t) * min(1.0, 2 * np.cos(2 * t))
 
-    value, _ = quad(integrand, 0, np.pi / 4, points=[min(3 * sigma_s, 0.7), np.pi / 6], epsabs=0, epsrel=1e-12, limit=200)
+    value, _ = quad(
+        integrand, 0, np.pi / 4, points=[min(3 * sigma_s, 0.7), np.pi / 6], epsabs=0, epsrel=1e-12, limit=200
+    )
     return value / facet_area(sigma_s)
 
 
@@ -216,7 +218,9 @@ ENTRIES = (
         torrance_sparrow_conductor,
     ),
     Entry("torrance_sparrow_schlick", TorranceSparrow(1.0, 0.3, "facets", Schlick(0.05)), torrance_sparrow_schlick),
-    Entry("dust_isotropic", Dust(1.0, 0.0), dust, directional=isotropic_dust, spherical=(2 * (1 - np.log(2)) / 3, 1e-6)),
+    Entry(
+        "dust_isotropic", Dust(1.0, 0.0), dust, directional=isotropic_dust, spherical=(2 * (1 - np.log(2)) / 3, 1e-6)
+    ),
     Entry("dust_forward", Dust((0.7, 0.6, 0.5), 0.6), dust),
     Entry("dust_backward", Dust((0.7, 0.6, 0.5), -0.4), dust),
     Entry(
@@ -228,11 +232,20 @@ ENTRIES = (
         at_most=None,
     ),
     Entry("rough_and_shiny", PLASTER + COAT, rough_and_shiny, at_most=None),
-    Entry("spectral", OrenNayar(SPECTRUM, 0.2) + TorranceSparrow(0.1 + 0.5 * SPECTRUM, 0.05), rough_and_shiny, at_most=None),
+    Entry(
+        "spectral",
+        OrenNayar(SPECTRUM, 0.2) + TorranceSparrow(0.1 + 0.5 * SPECTRUM, 0.05),
+        rough_and_shiny,
+        at_most=None,
+    ),
     Entry("dust_layer", DustLayer(PLASTER + COAT, Dust((0.7, 0.6, 0.5), 0.3), tau=0.2), dust_layer, at_most=None),
     Entry(
         "dust_on_plaster_and_varnish",  # every name twice or more
-        DustLayer(Lambert((0.1, 0.2)) + (PLASTER.with_parameters({"K_d": 0.4}) + COAT) + Lambert(0.05), Dust(0.5, -0.2), tau=0.7)
+        DustLayer(
+            Lambert((0.1, 0.2)) + (PLASTER.with_parameters({"K_d": 0.4}) + COAT) + Lambert(0.05),
+            Dust(0.5, -0.2),
+            tau=0.7,
+        )
         + TorranceSparrow(0.2, 0.08, fresnel=Dielectric(1.4)),
         dust_layer,
         at_most=None,

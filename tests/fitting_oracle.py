@@ -82,7 +82,10 @@ class Formulas:
 
 
 MODELS: dict[str, tuple[tuple[str, ...], Callable[..., np.ndarray]]] = {
-    "lambert": (("K_d",), lambda at, K_d: np.broadcast_to(K_d / np.pi, np.broadcast_shapes(np.shape(K_d), at.mu_i.shape))),
+    "lambert": (
+        ("K_d",),
+        lambda at, K_d: np.broadcast_to(K_d / np.pi, np.broadcast_shapes(np.shape(K_d), at.mu_i.shape)),
+    ),
     "oren_nayar": (("K_d", "sigma_d"), lambda at, K_d, sigma_d: at.oren_nayar(K_d, sigma_d)),
     "oren_nayar + torrance_sparrow": (
         ("K_d", "sigma_d", "K_s", "sigma_s"),
@@ -135,7 +138,9 @@ class Oracle:
         return (self.root * (LOSSES[self.loss](f, self.at.mu_i) - self.target)).ravel()
 
     def spans(self, table: Mapping[str, tuple[float, float]]) -> tuple[np.ndarray, np.ndarray]:
-        low, high = zip(*(table[name] for name, n in zip(self.free, self.sizes, strict=True) for _ in range(n)), strict=True)
+        low, high = zip(
+            *(table[name] for name, n in zip(self.free, self.sizes, strict=True) for _ in range(n)), strict=True
+        )
         return np.array(low, float), np.array(high, float)
 
     def solve(self, x0: np.ndarray, **options: Any) -> Any:

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import inspect
 
-import golden
 import numpy as np
 import pytest
-from catalogue import facet_area, fresnel
-from golden import Rows
-from golden.equations import EQUATIONS
 from numpy.testing import assert_allclose
 from scipy.integrate import quad
 
+import golden
+from catalogue import facet_area, fresnel
+from golden import Rows
+from golden.equations import EQUATIONS
 from motes import equations
 from motes.arrays import NUMPY as xp
 from motes.directions import Geometry, Vector
@@ -107,7 +107,9 @@ def test_dielectric_is_fresnel_in_complex_arithmetic(n: float) -> None:
     assert_allclose(equations.fresnel_dielectric(xp, COSINES, n), fresnel(COSINES, n), rtol=1e-11, atol=1e-15)
 
 
-@pytest.mark.parametrize(("n", "k"), [(0.05, 4.0), (0.14, 3.9), (1.4, 7.5), (2.9, 3.1), (10.0, 0.1), (0.01, 30.0), (0.4, 0.0), (2.0, 1e-3)])
+@pytest.mark.parametrize(
+    ("n", "k"), [(0.05, 4.0), (0.14, 3.9), (1.4, 7.5), (2.9, 3.1), (10.0, 0.1), (0.01, 30.0), (0.4, 0.0), (2.0, 1e-3)]
+)
 def test_conductor_is_fresnel_in_complex_arithmetic(n: float, k: float) -> None:
     assert_allclose(equations.fresnel_conductor(xp, COSINES, n, k), fresnel(COSINES, n + 1j * k), rtol=0, atol=1e-11)
 
@@ -115,7 +117,9 @@ def test_conductor_is_fresnel_in_complex_arithmetic(n: float, k: float) -> None:
 @pytest.mark.parametrize("n", [1.0, 1.2, 1.5, 4.0])
 def test_conductor_without_absorption_is_a_dielectric(n: float) -> None:
     c = COSINES[COSINES > 1e-3]
-    assert_allclose(equations.fresnel_conductor(xp, c, n, 0.0), equations.fresnel_dielectric(xp, c, n), rtol=0, atol=1e-12)
+    assert_allclose(
+        equations.fresnel_conductor(xp, c, n, 0.0), equations.fresnel_dielectric(xp, c, n), rtol=0, atol=1e-12
+    )
 
 
 def test_equal_indices_reflect_nothing() -> None:

@@ -9,15 +9,15 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import golden
 import numpy as np
 import pytest
-from catalogue import jax_in_float64
-from golden import Rows
-from golden.equations import EQUATIONS, Equation
 from numpy.testing import assert_allclose
 from numpy.typing import NDArray
 
+import golden
+from catalogue import jax_in_float64
+from golden import Rows
+from golden.equations import EQUATIONS, Equation
 from motes import tracing
 from motes.arrays import NUMPY, namespace
 
@@ -47,7 +47,9 @@ def over_drjit(equation: Equation, rows: Rows) -> Column:
     assert xp.name == "drjit"
     n = len(rows["theta_i"])
     blocks = [np.arange(k, k + 4) % n for k in range(0, n, 4)]
-    values = [equation.evaluate(xp, {name: column[block] for name, column in rows.items()}, Array4f64) for block in blocks]
+    values = [
+        equation.evaluate(xp, {name: column[block] for name, column in rows.items()}, Array4f64) for block in blocks
+    ]
     return np.concatenate([np.array(v) for v in values])[:n]
 
 
@@ -115,5 +117,7 @@ def test_the_same_numbers_compiled_by_drjit() -> None:
     """In a process of its own, for the library must be chosen before Dr.Jit loads, and some versions end the interpreter."""
     pytest.importorskip("drjit")
     environment = os.environ | {"DRJIT_LIBLLVM_PATH": str(LLVM[-1]), "PYTHONPATH": str(Path(__file__).parent)}
-    done = subprocess.run([sys.executable, "-c", COMPILED], env=environment, capture_output=True, text=True, timeout=300, check=False)
+    done = subprocess.run(
+        [sys.executable, "-c", COMPILED], env=environment, capture_output=True, text=True, timeout=300, check=False
+    )
     assert done.stdout.split() == ["the", "same", str(len(EQUATIONS))], done.stderr[-2000:]

@@ -170,6 +170,7 @@ def test_with_mask():
     assert more.mask[0, :, 0].tolist() == [False, False, True, True]
     again = more.with_mask(m.values < 3, "grazing")
     assert dict(again.masked) == {policy.NEGATIVE: 1, "grazing": 2}
+    assert again.mask[0, :, 0].tolist() == [False, False, True, False]  # what was masked stays masked
     assert dict(m.masked) == {policy.NEGATIVE: 1}
     assert dict(again.select([3]).masked) == {"grazing": 1}
     with pytest.raises(DataError, match="does not broadcast"):

@@ -146,6 +146,19 @@ def test_the_sampled_measurement_integrates_like_the_whole(shared_file, name: st
         np.testing.assert_allclose(share.sum(axis=0) / polar, whole, rtol=0.03)
 
 
+def test_the_weights_are_solid_angles(tmp_path: Path):
+    """At each incidence they measure the hemisphere of outgoing directions, 2 pi, and pi with the cosine."""
+    (tmp_path / "a.bsdf").write_bytes(files.tensor_file(files.rgl_fields(n_theta=6)))
+    theta_i = TensorBRDF.load(tmp_path / "a.bsdf").theta_i
+    m = read(tmp_path / "a.bsdf", resolution=256)
+    edges = np.concatenate([[0], (theta_i[1:] + theta_i[:-1]) / 2, [np.pi / 2]])
+    for theta, low, high in zip(theta_i[:-1], edges[:-1], edges[1:], strict=False):
+        here = np.abs(m.theta_i - theta) < 1e-6
+        solid_angle = m.weights[here] / (np.cos(low) - np.cos(high))
+        assert solid_angle.sum() == pytest.approx(2 * np.pi, rel=0.01)
+        assert (solid_angle * m.wo[here, 2]).sum() == pytest.approx(np.pi, rel=0.01)
+
+
 def test_the_sampled_measurement_covers_the_peak(shared_file):
     path = shared_file("rgl/chm_orange_rgb.bsdf")
     m = read(path)

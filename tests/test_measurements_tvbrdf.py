@@ -41,7 +41,7 @@ def test_the_documented_record(tmp_path: Path):
         np.testing.assert_allclose(m.wo[0], [-0.207912, 0, 0.978148], atol=1e-6)
         assert "carry the scale of the source" in m.provenance["notes"][0]
     np.testing.assert_allclose(read(path, irradiance=2.0).values * 2, m.values)
-    for bad in (0, -1, np.nan):
+    for bad in (0, -1, np.nan, np.inf, "bright"):
         with pytest.raises(DataError, match="irradiance"):
             read(path, irradiance=bad)
 
@@ -112,6 +112,22 @@ def test_a_direction_measured_twice_in_each_scan_stays_two(tmp_path: Path):
         (tmp_path / f"scan{t:02d}_brdf_camera1_allexposures.txt").write_text(text)
     m = read(tmp_path)
     np.testing.assert_array_equal(m.values[:, :, 2], [[10, 11], [20, 21]])
+
+
+def test_repeated_directions_are_told_apart_in_any_order(tmp_path: Path):
+    def text(lights: str, first: int) -> str:
+        return "".join(
+            f"F 1 1 {first + k}\n{ {'a': 'L 0 0 1', 'b': 'L 0.6 0 0.8'}[l] }\nV 0 0 1\n" for k, l in enumerate(lights)
+        )
+
+    for t, lights in enumerate(("aab", "baa", "aaa"), 1):
+        (tmp_path / f"scan{t:02d}_brdf_camera1_allexposures.txt").write_text(text(lights, 10 * t))
+    m = read(tmp_path)
+    radiance = np.round(m.values[:, :, 0] * m.wi[:, 2], 9)
+    assert m.wi[:, 0].tolist() == [0, 0, 0.6, 0]  # the third "a" of the last scan is a direction of its own
+    np.testing.assert_array_equal(np.sort(radiance[1, [0, 1]]), [21, 22])
+    np.testing.assert_array_equal(radiance[:, 2], [12, 20, np.nan])
+    assert np.sort(radiance[2, [0, 1, 3]]).tolist() == [30, 31, 32]
 
 
 def test_light_below_the_horizon_and_broken_values(tmp_path: Path):

@@ -6,15 +6,15 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
-import golden
 import numpy as np
 import pytest
-from catalogue import ENTRIES, SPECIAL, SPECIAL_WI, SPECIAL_WO, Entry, direction, parts, reference, upper_directions
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
 from numpy.typing import NDArray
 
+import golden
+from catalogue import ENTRIES, SPECIAL, SPECIAL_WI, SPECIAL_WO, Entry, direction, parts, reference, upper_directions
 from motes import engine
 from motes.errors import DataError, ParameterError
 from motes.models import BRDF, Dust, DustLayer, Fresnel, Lambert, OrenNayar, Sum, TorranceSparrow
@@ -52,7 +52,12 @@ def test_every_name_of_an_expression_has_an_entry() -> None:
 
 def test_every_option_has_an_entry() -> None:
     options = {option for entry in ENTRIES for part in parts(entry.model) for option in part.options().items()}  # type: ignore[attr-defined]
-    assert {("form", "brdf"), ("form", "brightness"), ("normalization", "printed"), ("normalization", "facets")} <= options
+    assert {
+        ("form", "brdf"),
+        ("form", "brightness"),
+        ("normalization", "printed"),
+        ("normalization", "facets"),
+    } <= options
 
 
 # ---------------------------------------------------------------- Values
@@ -70,7 +75,10 @@ def test_values_end_to_end(entry: Entry, source: str) -> None:
 @pytest.mark.parametrize("source", golden.SOURCES)
 @pytest.mark.parametrize(
     ("name", "model"),
-    [("torrance_sparrow", lambda parameter: TorranceSparrow(1.0, parameter)), ("dust", lambda parameter: Dust(1.0, parameter))],
+    [
+        ("torrance_sparrow", lambda parameter: TorranceSparrow(1.0, parameter)),
+        ("dust", lambda parameter: Dust(1.0, parameter)),
+    ],
 )
 def test_values_of_scatmech(name: str, model: Any, source: str) -> None:
     rows = golden.scatmech(source, name)
@@ -79,7 +87,9 @@ def test_values_of_scatmech(name: str, model: Any, source: str) -> None:
 
 def test_oren_nayar_is_clamped_at_0_where_equation_1_is_negative() -> None:
     wi, wo = direction(1.5), direction(1.55, np.pi)
-    assert_array_equal(OrenNayar((0.1, 0.2, 0.9), 1.5).eval(wi, wo) > 0, [False, False, True])  # (7) outweighs it for a white one
+    assert_array_equal(
+        OrenNayar((0.1, 0.2, 0.9), 1.5).eval(wi, wo) > 0, [False, False, True]
+    )  # (7) outweighs it for a white one
     assert_array_equal(OrenNayar(0.2, 1.5).eval(wi, wo), [0.0])
 
 
@@ -88,7 +98,15 @@ def test_oren_nayar_is_clamped_at_0_where_equation_1_is_negative() -> None:
 
 @pytest.mark.parametrize(
     ("wi", "wo", "leading"),
-    [((), (), ()), ((5,), (), (5,)), ((), (5,), (5,)), ((4, 1), (5,), (4, 5)), ((1,), (1,), (1,)), ((2, 1, 3), (4, 1), (2, 4, 3)), ((0,), (), (0,))],
+    [
+        ((), (), ()),
+        ((5,), (), (5,)),
+        ((), (5,), (5,)),
+        ((4, 1), (5,), (4, 5)),
+        ((1,), (1,), (1,)),
+        ((2, 1, 3), (4, 1), (2, 4, 3)),
+        ((0,), (), (0,)),
+    ],
 )
 @every_entry
 def test_shapes_broadcast(entry: Entry, wi: tuple[int, ...], wo: tuple[int, ...], leading: tuple[int, ...]) -> None:
@@ -98,7 +116,9 @@ def test_shapes_broadcast(entry: Entry, wi: tuple[int, ...], wo: tuple[int, ...]
     assert value.shape == (*leading, entry.model.channels)
     wide_a, wide_b = (np.broadcast_to(w, (*leading, 3)).reshape(-1, 3) for w in (a, b))
     one_by_one = [entry.model.eval(x, y) for x, y in zip(wide_a, wide_b, strict=True)]
-    assert_allclose(value.reshape(-1, entry.model.channels), np.reshape(one_by_one, (-1, entry.model.channels)), rtol=1e-13)
+    assert_allclose(
+        value.reshape(-1, entry.model.channels), np.reshape(one_by_one, (-1, entry.model.channels)), rtol=1e-13
+    )
     assert entry.model.pdf(a, b).shape == leading
 
 
@@ -119,7 +139,9 @@ def test_parameters_with_leading_axes_are_many_models_at_once(entry: Entry) -> N
     each = [entry.model.with_parameters(values) for values in single]
     assert_allclose(many.eval(wi, wo), [m.eval(a, b) for m, a, b in zip(each, wi, wo, strict=True)], rtol=1e-13)
     assert_allclose(many.pdf(wi, wo), [m.pdf(a, b) for m, a, b in zip(each, wi, wo, strict=True)], rtol=1e-12)
-    assert_allclose(many.directional_albedo(wi), [m.directional_albedo(a) for m, a in zip(each, wi, strict=True)], rtol=1e-11)
+    assert_allclose(
+        many.directional_albedo(wi), [m.directional_albedo(a) for m, a in zip(each, wi, strict=True)], rtol=1e-11
+    )
     sampled = many.sample(wi, u)
     for k, model in enumerate(each):
         one = model.sample(wi[k], u[k])
@@ -134,24 +156,35 @@ def test_directional_albedo_of_many_models_comes_in_parts() -> None:
     many = OrenNayar(K_d, sigma_d).directional_albedo(wi, nodes=(8, 8))
     assert many.shape == (20, 15, 3)
     for j, k in ((0, 0), (19, 14), (7, 3)):
-        assert_allclose(many[j, k], OrenNayar(K_d[j, 0], sigma_d[k]).directional_albedo(wi[k], nodes=(8, 8)), rtol=1e-12)
+        assert_allclose(
+            many[j, k], OrenNayar(K_d[j, 0], sigma_d[k]).directional_albedo(wi[k], nodes=(8, 8)), rtol=1e-12
+        )
 
 
 @every_entry
 def test_float32_in_is_float32_out(entry: Entry) -> None:
     wi, wo = upper_directions(7, 1).astype(np.float32), upper_directions(7, 2).astype(np.float32)
     u = np.random.default_rng(3).random((7, 2), np.float32)
-    arrays = {slot.name: np.atleast_1d(np.asarray(slot.value)) if slot.parameter.per_channel else slot.value for slot in entry.model.slots()}
+    arrays = {
+        slot.name: np.atleast_1d(np.asarray(slot.value)) if slot.parameter.per_channel else slot.value
+        for slot in entry.model.slots()
+    }
     narrow = {name: np.asarray(value, np.float32) for name, value in arrays.items()}
     for model in (entry.model, entry.model.with_parameters(arrays), entry.model.with_parameters(narrow)):
-        results = {"eval": model.eval(wi, wo), "pdf": model.pdf(wi, wo), "albedo": model.directional_albedo(wi, nodes=(4, 4))}
+        results = {
+            "eval": model.eval(wi, wo),
+            "pdf": model.pdf(wi, wo),
+            "albedo": model.directional_albedo(wi, nodes=(4, 4)),
+        }
         results |= model.sample(wi, u)._asdict()
         assert {name: value.dtype for name, value in results.items()} == dict.fromkeys(results, np.dtype(np.float32))
 
 
 @every_entry
 def test_lists_and_whole_numbers_are_directions_too(entry: Entry) -> None:
-    assert_array_equal(entry.model.eval([0, 0, 1], [[0, 0, 1]]), entry.model.eval(np.array([0.0, 0, 1]), np.array([[0.0, 0, 1]])))
+    assert_array_equal(
+        entry.model.eval([0, 0, 1], [[0, 0, 1]]), entry.model.eval(np.array([0.0, 0, 1]), np.array([[0.0, 0, 1]]))
+    )
 
 
 @every_entry
@@ -287,7 +320,15 @@ def test_nothing_is_negative(entry: Entry) -> None:
 @every_entry
 def test_exactly_0_at_and_below_the_horizon(entry: Entry) -> None:
     up, flat = direction(0.4), np.array([1.0, 0.0, 0.0])
-    for wi, wo in ((up, -up), (-up, up), (-up, -up), (flat, up), (up, flat), (flat, flat), (up, np.array([0.6, 0.8, -0.0]))):
+    for wi, wo in (
+        (up, -up),
+        (-up, up),
+        (-up, -up),
+        (flat, up),
+        (up, flat),
+        (flat, flat),
+        (up, np.array([0.6, 0.8, -0.0])),
+    ):
         assert_array_equal(entry.model.eval(wi, wo), np.zeros(entry.model.channels))
         assert_array_equal(entry.model.pdf(wi, wo), 0.0)
 
@@ -326,7 +367,9 @@ def within(p: Parameter) -> st.SearchStrategy[float]:
 @st.composite
 def extreme_directions(draw: st.DrawFn) -> NDArray[np.float64]:
     theta = draw(
-        st.sampled_from([0.0, 1e-300, 1e-12, 1e-4, np.pi / 4, np.pi / 2, np.nextafter(np.pi / 2, 0), np.pi / 2 - 1e-7, 3.0, np.pi])
+        st.sampled_from(
+            [0.0, 1e-300, 1e-12, 1e-4, np.pi / 4, np.pi / 2, np.nextafter(np.pi / 2, 0), np.pi / 2 - 1e-7, 3.0, np.pi]
+        )
         | st.floats(0, np.pi)
     )
     return direction(theta, draw(st.sampled_from([0.0, np.pi / 2, np.pi, -np.pi]) | st.floats(-4, 4)))
@@ -367,7 +410,9 @@ def test_a_layer_of_no_dust_is_its_base_and_a_thick_one_is_dust(entry: Entry, pa
     powder = Dust(0.7, 0.3)
     base, only_dust = entry.model.eval(*pairs), powder.eval(*pairs)
     assert_array_equal(DustLayer(entry.model, powder, tau=0.0).eval(*pairs), base)
-    assert_allclose(DustLayer(entry.model, powder, tau=60.0).eval(*pairs), np.broadcast_to(only_dust, base.shape), rtol=1e-14)
+    assert_allclose(
+        DustLayer(entry.model, powder, tau=60.0).eval(*pairs), np.broadcast_to(only_dust, base.shape), rtol=1e-14
+    )
     # Between the two, and linear in tau while it is thin.
     depth = 1e-9 * (1 / pairs[0][:, 2:] + 1 / pairs[1][:, 2:])
     change = DustLayer(Lambert(0.0), powder, tau=1e-9).eval(*pairs)
@@ -383,7 +428,9 @@ def test_dust_is_continuous_where_its_two_formulas_meet(pairs: Any) -> None:
 
 def test_brightness_is_the_brdf_times_4_pi_cos(pairs: Any) -> None:
     dust = Dust((0.7, 0.3), 0.4)
-    assert_allclose(replace(dust, form="brightness").eval(*pairs), dust.eval(*pairs) * 4 * np.pi * pairs[0][:, 2:], rtol=1e-14)
+    assert_allclose(
+        replace(dust, form="brightness").eval(*pairs), dust.eval(*pairs) * 4 * np.pi * pairs[0][:, 2:], rtol=1e-14
+    )
 
 
 def test_a_sum_is_a_sum(pairs: Any) -> None:
@@ -398,11 +445,16 @@ def test_normalisation_is_a_factor(pairs: Any) -> None:
         ratio = printed.eval(*pairs) / np.maximum(facets.eval(*pairs), 1e-300)
         ratio = ratio[printed.eval(*pairs) > 1e-200]
         assert_allclose(ratio, ratio[0], rtol=1e-12)
-    narrow = [TorranceSparrow(1.0, s, normalization="facets").eval(direction(0.3), direction(0.3, np.pi)) for s in (0.25 - 1e-9, 0.25 + 1e-9)]
+    narrow = [
+        TorranceSparrow(1.0, s, normalization="facets").eval(direction(0.3), direction(0.3, np.pi))
+        for s in (0.25 - 1e-9, 0.25 + 1e-9)
+    ]
     assert_allclose(narrow[0], narrow[1], rtol=1e-7)
 
 
-@pytest.mark.parametrize(("options", "message"), [({"normalization": "unit"}, "printed, facets"), ({"fresnel": 1.5}, "Dielectric")])
+@pytest.mark.parametrize(
+    ("options", "message"), [({"normalization": "unit"}, "printed, facets"), ({"fresnel": 1.5}, "Dielectric")]
+)
 def test_options_that_are_not_there_are_refused(options: dict[str, Any], message: str) -> None:
     with pytest.raises(ParameterError, match=message):
         TorranceSparrow(**options)

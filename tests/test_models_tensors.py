@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from catalogue import ENTRIES, SPECIAL, SPECIAL_WI, SPECIAL_WO, Entry, jax_in_float64, reference, upper_directions
 from numpy.testing import assert_allclose
 from numpy.typing import NDArray
 
+from catalogue import ENTRIES, SPECIAL, SPECIAL_WI, SPECIAL_WO, Entry, jax_in_float64, reference, upper_directions
 from motes import tracing
 from motes.arrays import NUMPY
 from motes.models import BRDF, OrenNayar
@@ -34,7 +34,9 @@ def with_torch() -> Library:
     torch = pytest.importorskip("torch")
 
     def gradient(function: Callable[[dict[str, Any]], Any], values: dict[str, Any]) -> dict[str, Any]:
-        leaves = {name: torch.tensor(np.asarray(value, np.float64), requires_grad=True) for name, value in values.items()}
+        leaves = {
+            name: torch.tensor(np.asarray(value, np.float64), requires_grad=True) for name, value in values.items()
+        }
         function(leaves).sum().backward()
         return {name: np.zeros(leaf.shape) if leaf.grad is None else leaf.grad.numpy() for name, leaf in leaves.items()}
 
@@ -61,7 +63,9 @@ def library(request: pytest.FixtureRequest) -> Iterator[Library]:
 
 def tensors(library: Library, model: BRDF) -> BRDF:
     """The model with every parameter a tensor."""
-    return model.with_parameters({slot.name: library.tensor(np.asarray(slot.value, np.float64)) for slot in model.slots()})
+    return model.with_parameters(
+        {slot.name: library.tensor(np.asarray(slot.value, np.float64)) for slot in model.slots()}
+    )
 
 
 @every_entry
@@ -125,7 +129,9 @@ def central_difference(f: Callable[[BRDF], NDArray[np.float64]], model: BRDF, na
 WEIGHT = np.random.default_rng(9).uniform(0.5, 1.5, (60, 1))
 # Towards the highlight, where there is one, and anywhere.
 WI = upper_directions(60, 5)
-WO = WI * np.array([-1, -1, 1]) + np.where(np.arange(60)[:, None] % 2, 0.05, 2.0) * np.random.default_rng(6).normal(size=(60, 3))
+WO = WI * np.array([-1, -1, 1]) + np.where(np.arange(60)[:, None] % 2, 0.05, 2.0) * np.random.default_rng(6).normal(
+    size=(60, 3)
+)
 WO = WO / np.linalg.norm(WO, axis=-1, keepdims=True)
 
 
@@ -134,7 +140,9 @@ def test_derivatives_by_every_parameter(library: Library, entry: Entry) -> None:
     """Against finite differences; directions below the horizon are among them, and contribute 0."""
     assert (WO[:, 2] < 0).any()
     wi, wo, weight = library.tensor(WI), library.tensor(WO), library.tensor(WEIGHT)
-    derivatives = library.gradient(lambda values: entry.model.with_parameters(values).eval(wi, wo) * weight, entry.model.parameters)
+    derivatives = library.gradient(
+        lambda values: entry.model.with_parameters(values).eval(wi, wo) * weight, entry.model.parameters
+    )
     assert set(derivatives) == {slot.name for slot in entry.model.slots()}
     for name, derivative in derivatives.items():
         flat = derivative.ravel()
@@ -222,7 +230,10 @@ def test_a_recorded_model_gives_the_numbers_of_numpy(entry: Entry) -> None:
     wo = np.concatenate([upper_directions(50, 2), SPECIAL_WO])
     channels = entry.model.channels
     trace = tracing.trace(entry.model, channels)
-    leaves: dict[Any, Any] = {symbol: w[:, axis] for symbol, (w, axis) in zip(trace.directions, [(w, a) for w in (wi, wo) for a in range(3)], strict=True)}
+    leaves: dict[Any, Any] = {
+        symbol: w[:, axis]
+        for symbol, (w, axis) in zip(trace.directions, [(w, a) for w in (wi, wo) for a in range(3)], strict=True)
+    }
     for p in trace.parameters:
         value = np.ravel(entry.model.parameters[p.slot])
         leaves[p.symbol] = float(value[p.channel if p.channel is not None else 0])

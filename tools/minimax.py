@@ -69,7 +69,14 @@ def main() -> None:
     half = mp.log(2) / 2
     fits = (
         ("EXP", exp_tail, lambda r: r * r / abs(mp.expm1(r)), -half, half, {np.float32: 4, np.float64: 9}),
-        ("ASIN", asin_tail, lambda z: z ** mp.mpf(1.5) / mp.asin(mp.sqrt(z)), 0, mp.mpf("0.7072") ** 2, {np.float32: 6, np.float64: 17}),
+        (
+            "ASIN",
+            asin_tail,
+            lambda z: z ** mp.mpf(1.5) / mp.asin(mp.sqrt(z)),
+            0,
+            mp.mpf("0.7072") ** 2,
+            {np.float32: 6, np.float64: 17},
+        ),
     )
     for name, F, weight, a, b, degrees in fits:
         for scalar, degree in degrees.items():

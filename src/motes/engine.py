@@ -83,7 +83,9 @@ def evaluate(model: Parametrised, wi: ArrayLike, wo: ArrayLike, out: Array | Non
     shape = (*job.shape, job.channels)
     if out is not None and (out.shape != shape or out.dtype != job.scalar or not out.flags.writeable):
         found = f"{out.dtype} {out.shape}" + ("" if out.flags.writeable else ", read-only")
-        raise DataError(f"out is an array {found}, expected {job.scalar} {shape}, writeable", "Leave out= to have one made")
+        raise DataError(
+            f"out is an array {found}, expected {job.scalar} {shape}, writeable", "Leave out= to have one made"
+        )
     target = _target(out, shape, job)
     if job.count:
         kernel = _kernel("evaluation", job)
@@ -92,7 +94,14 @@ def evaluate(model: Parametrised, wi: ArrayLike, wo: ArrayLike, out: Array | Non
 
         def work(chunk: int, room: int) -> None:
             kernel.driver(
-                *_place(job.wi), *_place(job.wo), _address(constants), _address(varying), job.count, *_place(target), room, *job.range(chunk)
+                *_place(job.wi),
+                *_place(job.wo),
+                _address(constants),
+                _address(varying),
+                job.count,
+                *_place(target),
+                room,
+                *job.range(chunk),
             )
 
         job.run(work)
@@ -124,7 +133,9 @@ def vjp(model: Parametrised, wi: ArrayLike, wo: ArrayLike, upstream: ArrayLike) 
     try:
         seed = np.broadcast_to(np.asarray(upstream, job.scalar), shape)
     except ValueError:
-        raise DataError(f"upstream has shape {np.shape(upstream)}, expected {shape}", "Give one number for every value") from None
+        raise DataError(
+            f"upstream has shape {np.shape(upstream)}, expected {shape}", "Give one number for every value"
+        ) from None
     seed = seed if len(shape) == 2 else seed.reshape(-1, job.channels)
     kernel = _kernel("gradient", job)
     constants = kernel.constants(job.uniform)
@@ -139,7 +150,9 @@ def vjp(model: Parametrised, wi: ArrayLike, wo: ArrayLike, upstream: ArrayLike) 
         )  # fmt: skip
 
     job.run(work)
-    return job.gathered(kernel.pullback(job.uniform, totals.sum(axis=0)), dict(zip(kernel.varying, slopes, strict=True)))
+    return job.gathered(
+        kernel.pullback(job.uniform, totals.sum(axis=0)), dict(zip(kernel.varying, slopes, strict=True))
+    )
 
 
 def cache_folder() -> Path:
@@ -206,7 +219,9 @@ class _Job:
             row.reshape(self.shape)[...] = value
         return rows
 
-    def gathered(self, sums: dict[tracing.TracedParameter, float], slopes: dict[tracing.TracedParameter, Array]) -> dict[str, Array]:
+    def gathered(
+        self, sums: dict[tracing.TracedParameter, float], slopes: dict[tracing.TracedParameter, Array]
+    ) -> dict[str, Array]:
         """Derivatives by slot, in the shape of the values."""
         gradients = {name: np.zeros(np.shape(slot.value)) for name, slot in self.slots.items()}
         for parameter, total in sums.items():
@@ -265,14 +280,13 @@ def _summed(x: Array, shape: tuple[int, ...]) -> Array:
 def _target(out: Array | None, shape: tuple[int, ...], job: _Job) -> Array:
     """An array (N, C) to write to: `out` itself where that is possible."""
     if out is not None and out.flags.aligned and not any(np.may_share_memory(out, w) for w in (job.wi, job.wo)):
-        flat = out.view()
-        try:
-            flat.shape = (job.count, job.channels)
+        flat = out.reshape(job.count, job.channels)
+        if np.may_share_memory(out, flat):  # not a copy
             return flat
-        except AttributeError:  # not without a copy
-            pass
     rows = any(w.strides[0] == w.itemsize for w in (job.wi, job.wo)) and len(job.shape) == 1
-    return np.empty((job.channels, job.count), job.scalar).T if rows else np.empty((job.count, job.channels), job.scalar)
+    return (
+        np.empty((job.channels, job.count), job.scalar).T if rows else np.empty((job.count, job.channels), job.scalar)
+    )
 
 
 def _address(x: Array) -> int:
@@ -368,7 +382,9 @@ def _made(kind: str, job: _Job) -> _Kernel:
     constants = numpy_code.scalar_function("constants", names, printed.constants)
     names |= {seed: f"d{k}" for k, seed in enumerate(seeds.values())}
     pullback = numpy_code.scalar_function("pullback", names, [slopes.get(p.symbol, zero) for p in uniform])
-    driver = getattr(_module(printed.source, f"the {kind} of {type(job.model).__name__} in {job.scalar.name}"), printed.driver)
+    driver = getattr(
+        _module(printed.source, f"the {kind} of {type(job.model).__name__} in {job.scalar.name}"), printed.driver
+    )
     return _Kernel(driver, printed.varying, printed.totals, uniform, constants, pullback, job.scalar)
 
 
@@ -380,7 +396,14 @@ def _module(source: str, title: str) -> Any:
     from motes import __version__
     from motes.codegen import intrinsics
 
-    versions = [__version__, numba.__version__, llvmlite.__version__, np.__version__, platform.python_version(), platform.machine()]
+    versions = [
+        __version__,
+        numba.__version__,
+        llvmlite.__version__,
+        np.__version__,
+        platform.python_version(),
+        platform.machine(),
+    ]
     basis = [source, *versions, Path(intrinsics.__file__).read_text(encoding="utf-8")]
     name = "motes_" + hashlib.sha256("\0".join(basis).encode()).hexdigest()[:24]
     folder = cache_folder()

@@ -350,7 +350,7 @@ class Trace:
 
     def leaves(self) -> dict[Symbol, int]:
         """The leaves with their bits, `DIRECTIONS` or `PARAMETERS`."""
-        return {symbol: DIRECTIONS for symbol in self.directions} | {p.symbol: PARAMETERS for p in self.parameters}
+        return dict.fromkeys(self.directions, DIRECTIONS) | {p.symbol: PARAMETERS for p in self.parameters}
 
 
 def split_slots(model: Parametrised, channels: int) -> tuple[str, ...]:

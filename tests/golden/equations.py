@@ -6,7 +6,6 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from golden import Rows
-
 from motes import equations
 
 

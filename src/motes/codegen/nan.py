@@ -32,7 +32,9 @@ def careful(outputs: Sequence[Symbol], leaves: Collection[Symbol]) -> set[Symbol
     carries: dict[Symbol, frozenset[Symbol]] = {}
     for symbol in live(outputs):
         args = symbol.args
-        depends[symbol] = frozenset().union(*(depends[a] for a in args)) | ({symbol} if symbol in leaves else frozenset())
+        depends[symbol] = frozenset().union(*(depends[a] for a in args)) | (
+            {symbol} if symbol in leaves else frozenset()
+        )
         if symbol in leaves:
             carries[symbol] = frozenset({symbol})
         elif symbol.op in ("minimum", "maximum"):

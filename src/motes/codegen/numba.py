@@ -88,7 +88,7 @@ def scatter(lanes, scratch, target, step, stride, count):
 
 # Addresses are integers.  Directions are an address, the step from one to the next and the stride between components, in items; rows of
 # `varying` and `slopes` are `row` items apart; `room` has space for a tile of all components and channels.
-_EVALUATE = '''
+_EVALUATE = """
 @numba.njit("void({signature})", cache=True, nogil=True, **options)
 def evaluate(wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, varying, row, out, out_step, out_stride, room, first, last):
     for start in range(first, last, TILE):
@@ -101,9 +101,9 @@ def evaluate(wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, varying,
         span(i, i_row, o, o_row, constants, varying + ITEM * start, row, f, f_row, count)
         if out_step != 1:
             scatter({channels}, f, out + ITEM * start * out_step, out_step, out_stride, count)
-'''
+"""
 
-_GRADIENT = '''
+_GRADIENT = """
 @numba.njit("void({signature})", cache=True, nogil=True, **options)
 def gradient(
     wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, varying, row, seed, seed_step, seed_stride, slopes, totals,
@@ -115,7 +115,7 @@ def gradient(
         o, o_row = columns(3, wo + ITEM * start * wo_step, wo_step, wo_stride, room + 3 * ITEM * TILE, count)
         f, f_row = columns({channels}, seed + ITEM * start * seed_step, seed_step, seed_stride, room + 6 * ITEM * TILE, count)
         span(i, i_row, o, o_row, constants, varying + ITEM * start, row, f, f_row, slopes + ITEM * start, totals, count)
-'''
+"""
 
 
 @dataclass(frozen=True)
@@ -163,7 +163,9 @@ def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     body += [f'store(F, f, {_row("f_row", c)}n, {result}, "span", {c}, {lanes})' for c, result in enumerate(results)]
     span = _span("i, i_row, o, o_row, constants, varying, row, f, f_row, count", loads, body)
     driver = _EVALUATE.format(signature=_signature(15), channels=lanes)
-    return Kernel(_module(trace, "Evaluates a reflectance model", scalar, span, driver), "evaluate", tuple(constants), tuple(rows))
+    return Kernel(
+        _module(trace, "Evaluates a reflectance model", scalar, span, driver), "evaluate", tuple(constants), tuple(rows)
+    )
 
 
 def gradient(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
@@ -195,11 +197,13 @@ def gradient(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     body += lines
     body += [f"s{k} = add_in_any_order(s{k}, {result})" for k, result in enumerate(results[: len(totals)])]
     body += [
-        f'store(F, slopes, {_row("row", v)}n, {result}, "span", {v}, {lanes})' for v, result in enumerate(results[len(totals) :])
+        f'store(F, slopes, {_row("row", v)}n, {result}, "span", {v}, {lanes})'
+        for v, result in enumerate(results[len(totals) :])
     ]
     before = [*loads, *(f"s{k} = F(0.0)" for k in range(len(totals)))]
     after = [
-        f'store(np.float64, totals, {k}, load(np.float64, totals, {k}, "other", 1) + s{k}, "totals", 0, 1)' for k in range(len(totals))
+        f'store(np.float64, totals, {k}, load(np.float64, totals, {k}, "other", 1) + s{k}, "totals", 0, 1)'
+        for k in range(len(totals))
     ]
     span = _span("i, i_row, o, o_row, constants, varying, row, f, f_row, slopes, totals, count", before, body, after)
     driver = _GRADIENT.format(signature=_signature(17), channels=len(seed_leaves))

@@ -43,7 +43,9 @@ def function(name: str, arguments: Sequence[str], body: Sequence[str], results: 
     return "\n    ".join([f"def {name}({', '.join(arguments)}):", *body, f"return ({returned})"]) + "\n"
 
 
-def scalar_function(name: str, arguments: Mapping[Symbol, str], results: Sequence[Symbol]) -> Callable[..., tuple[Any, ...]]:
+def scalar_function(
+    name: str, arguments: Mapping[Symbol, str], results: Sequence[Symbol]
+) -> Callable[..., tuple[Any, ...]]:
     """A function of numbers (or arrays) that computes `results`, straight from memory."""
     body, texts = statements(NUMPY, results, arguments)
     return compiled(f"{_HEADER}\n\n{function(name, list(arguments.values()), body, texts)}", name)[name]

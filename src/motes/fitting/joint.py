@@ -319,10 +319,10 @@ def first_guess(
 
 
 class Proposal(NamedTuple):
-    """Another kind for the part at `index`: the BIC expected, and its coefficients."""
+    """Another kind for the part at this position: the BIC expected, and its coefficients."""
 
     bic: float
-    index: int
+    part: int
     kind: str
     coefficients: Floats
 
@@ -348,7 +348,7 @@ def _proposals(
 
 def _changed(joint: Joint, c: Floats, proposals: list[Proposal]) -> tuple[Joint, Floats]:
     """The joint fit with other kinds, and the coefficients to start from."""
-    by_index = {p.index: p for p in proposals}
+    by_index = {p.part: p for p in proposals}
     parts = tuple(replace(p, kind=by_index[k].kind) if k in by_index else p for k, p in enumerate(joint.parts))
     pieces = [by_index[k].coefficients if k in by_index else c[s] for k, s in enumerate(joint.slices())]
     return replace(joint, parts=parts), np.concatenate(pieces)
@@ -374,13 +374,13 @@ def select(
             tried = changed.solve(start[None])
             new_bic = changed.bic(float(tried.normal.objective[0]))
             if progress:
-                words = ", ".join(f"{joint.parts[p.index].quantity.name} {p.kind}" for p in chosen)
+                words = ", ".join(f"{joint.parts[p.part].quantity.name} {p.kind}" for p in chosen)
                 progress(step, MOST_CHANGES, words)
             if new_bic < bic:
                 joint, solution, bic = changed, tried, new_bic
                 break
         else:
-            refused.add((joint.parts[proposals[0].index].quantity.name, proposals[0].kind))
+            refused.add((joint.parts[proposals[0].part].quantity.name, proposals[0].kind))
     alternatives: dict[str, list[Alternative]] = {}
     for index, part in enumerate(joint.parts):
         table = Profile(joint, solution.x[0], index).compared()

@@ -391,7 +391,7 @@ class _Attempt:
         }
         wavelengths = () if data.wavelengths is None else tuple(float(w) for w in data.wavelengths)
         return Fit(
-            material=Material(brdf, data.name, data.channels, wavelengths, about),
+            material=Material(brdf, data.name, data.channels, wavelengths, about=about),
             parameters=parameters,
             labels=self.problem.labels(data.channels),
             correlations=errors.correlations,

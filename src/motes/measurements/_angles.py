@@ -26,8 +26,10 @@ def half_difference_grid(
     above
         Which of all bins, in the order of the file, these are.
 
-    Notes ----- The same rotation as `motes.directions.from_half_difference`; written out since sines of three axes are
-    cheap and those of 1.5 million points are not.
+    Notes
+    -----
+    The same rotation as `motes.directions.from_half_difference`; written out since sines of three axes are cheap and
+    those of 1.5 million points are not.
     """
     theta_h = ((np.arange(n_theta_h) + 0.5) / n_theta_h) ** 2 * HALF_PI
     theta_d = (np.arange(n_theta_d) + 0.5) / n_theta_d * HALF_PI

@@ -68,8 +68,10 @@ def read(
         E, at normal incidence, in the unit of F times sr.  The default is what the info file says, as `write_tvbrdf`
         does, or else 1.
 
-    Notes ----- Scans and cameras that are missing are masked as "not measured in this scan".  Where the time stamps
-    cannot be read the times are the indices of the scans, with the unit "scan"; see ``provenance["notes"]``.
+    Notes
+    -----
+    Scans and cameras that are missing are masked as "not measured in this scan".  Where the time stamps cannot be read
+    the times are the indices of the scans, with the unit "scan"; see ``provenance["notes"]``.
     """
     folder = _choose(path, sample)
     files = _scan_files(folder) if folder.is_dir() else {(1, 1): folder}
@@ -106,11 +108,12 @@ def read(
     present = np.concatenate([p for _, p in values_of], axis=1)
 
     stated = irradiance if irradiance is not None else info.irradiance
-    scale = 1.0 if stated is None else float(stated)
+    try:
+        scale = 1.0 if stated is None else float(stated)
+    except (TypeError, ValueError):
+        scale = np.nan
     if not 0 < scale < np.inf:
-        raise DataError(
-            f"irradiance = {scale:g} is not positive and finite", "It is that of a surface facing the light"
-        )
+        raise DataError(f"irradiance = {stated!r:.40} is not positive", "It is that of a surface facing the light")
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         values = radiance / (scale * wi[:, 2:])
     values[:, wi[:, 2] <= 0] = np.nan

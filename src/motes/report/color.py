@@ -6,19 +6,31 @@ import base64
 import struct
 import zlib
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-Floats = NDArray[np.float64]
+Floats = NDArray[np.floating[Any]]
 
 # XYZ (D65 white) to linear sRGB: IEC 61966-2-1.
 _XYZ_TO_SRGB = np.array([[3.2406, -1.5372, -0.4986], [-0.9689, 1.8758, 0.0415], [0.0557, -0.2040, 1.0570]])
 # Luminance of linear sRGB, the second row of the inverse.
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 # ColorBrewer RdBu, 11 classes (Brewer 2003), reversed: blue negative, red positive; told apart with every common colour deficiency.
-_DIVERGING = ("053061", "2166ac", "4393c3", "92c5de", "d1e5f0", "f7f7f7", "fddbc7", "f4a582", "d6604d", "b2182b", "67001f")
+_DIVERGING = (
+    "053061",
+    "2166ac",
+    "4393c3",
+    "92c5de",
+    "d1e5f0",
+    "f7f7f7",
+    "fddbc7",
+    "f4a582",
+    "d6604d",
+    "b2182b",
+    "67001f",
+)
 # viridis (van der Walt, Smith 2015), ten stops.
 _SEQUENTIAL = ("440154", "482878", "3e4989", "31688e", "26828e", "1f9e89", "35b779", "6ece58", "b5de2b", "fde725")
 
@@ -80,7 +92,9 @@ def channels_to_srgb(channels: Sequence[str], wavelengths: ArrayLike | None = No
                 "spectra are turned into sRGB through the CIE 1931 2° colour matching functions "
                 "(analytic fit of Wyman, Sloan and Shirley 2013), equal-energy light, white kept white, out-of-gamut values clipped",
             )
-    return ColorOf(np.full((n, 3), 1 / n), "shown in grey" if n == 1 else f"the mean of the {n} channels is shown in grey")
+    return ColorOf(
+        np.full((n, 3), 1 / n), "shown in grey" if n == 1 else f"the mean of the {n} channels is shown in grey"
+    )
 
 
 def srgb_encode(linear: ArrayLike) -> NDArray[np.uint8]:
@@ -132,7 +146,10 @@ def png(pixels: NDArray[np.uint8]) -> bytes:
 
     header = struct.pack(">IIBBBBB", width, height, 8, kind, 0, 0, 0)
     return (
-        b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows.tobytes(), 6)) + chunk(b"IEND", b"")
+        b"\x89PNG\r\n\x1a\n"
+        + chunk(b"IHDR", header)
+        + chunk(b"IDAT", zlib.compress(rows.tobytes(), 6))
+        + chunk(b"IEND", b"")
     )
 
 

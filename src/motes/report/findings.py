@@ -75,12 +75,18 @@ def determined(fit: Fit) -> str:
         for name, p in free.items():
             hits = sum(v is kind for v in p.verdicts)
             if hits:
-                where = f" in {hits} of {len(p.verdicts)} channels" if len(p.verdicts) > 1 and hits < len(p.verdicts) else ""
+                where = (
+                    f" in {hits} of {len(p.verdicts)} channels"
+                    if len(p.verdicts) > 1 and hits < len(p.verdicts)
+                    else ""
+                )
                 sentences.append(f"{name} is {words}{where}")
     if not free:
         return "All parameters were fixed."
     if not sentences:
-        return "The data determine its parameter." if len(free) == 1 else f"The data determine all {len(free)} parameters."
+        return (
+            "The data determine its parameter." if len(free) == 1 else f"The data determine all {len(free)} parameters."
+        )
     return "; ".join(sentences) + "."
 
 
@@ -100,5 +106,7 @@ def misses(samples: Samples, near: NearMirror | None) -> str | None:
     ratio = samples.thinned().ratio
     log = np.abs(np.log(ratio[np.isfinite(ratio)]))
     if log.size and np.median(log) > math.log(1.25):
-        return f"Half of the samples differ from the fit by more than a factor of {math.exp(float(np.median(log))):.2g}."
+        return (
+            f"Half of the samples differ from the fit by more than a factor of {math.exp(float(np.median(log))):.2g}."
+        )
     return None

@@ -10,14 +10,21 @@ _EMPTY = {"br", "hr", "img", "meta", "link", "image"}
 
 
 class Html(str):
-    """Text that is markup already; only `tag`, `join` and literals of this package make it."""
+    """Text that is markup already: what the functions here return, and literals of this package."""
 
     __slots__ = ()
 
 
+def _characters(text: object) -> str:
+    """The text with characters that a page cannot hold replaced: halves of surrogate pairs (file names that are not UTF-8), and NUL."""
+    return html.escape(
+        str(text).encode("utf-8", "replace").decode("utf-8").replace("\0", "\N{REPLACEMENT CHARACTER}"), quote=True
+    )
+
+
 def escape(text: object) -> Html:
     """Anything as text: names out of files pass through here before they reach a page."""
-    return text if isinstance(text, Html) else Html(html.escape(str(text), quote=True))
+    return text if isinstance(text, Html) else Html(_characters(text))
 
 
 def join(*parts: object) -> Html:
@@ -28,7 +35,7 @@ def join(*parts: object) -> Html:
 def tag(name: str, /, *children: object, **attributes: Any) -> Html:
     """An element.  Children that are not `Html` are escaped, attributes always; ``class_`` is class, ``_`` in names is ``-``, None leaves one out."""
     given = "".join(
-        f' {key.rstrip("_").replace("_", "-")}="{html.escape(str(value), quote=True)}"'
+        f' {key.rstrip("_").replace("_", "-")}="{_characters(value)}"'
         for key, value in attributes.items()
         if value is not None
     )
@@ -38,7 +45,7 @@ def tag(name: str, /, *children: object, **attributes: Any) -> Html:
 
 
 def table(head: Sequence[object], rows: Iterable[Sequence[object]], *, class_: str | None = None) -> Html:
-    """A table; a row given as ``(Mark(class), ...)`` is not needed: cells that are `Html` elements ``<td>``/``<th>`` stay as they are."""
+    """A table.  Cells that are ``<td>`` or ``<th>`` elements already stay as they are."""
     header = tag("tr", *(tag("th", cell, scope="col") for cell in head))
     body = [tag("tr", *(cell if _is_cell(cell) else tag("td", cell) for cell in row)) for row in rows]
     return tag("div", tag("table", tag("thead", header), tag("tbody", *body), class_=class_), class_="scroll")

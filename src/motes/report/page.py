@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import base64
-import json
 import math
 import os
 from collections.abc import Callable
@@ -14,43 +12,19 @@ from typing import NamedTuple
 import numpy as np
 
 import motes
-from motes.directions import theta
 from motes.files import write_text
-from motes.fitting.losses import LOSSES
-from motes.fitting.result import Fit, FittedParameter, Verdict
-from motes.fitting.tables import parameter_rows
-from motes.report import findings, plots
-from motes.report.color import channels_to_srgb, data_uri, diverging, hex_color, png, srgb_encode
+from motes.fitting.result import Fit
+from motes.report import findings, sections
+from motes.report.color import channels_to_srgb, data_uri, png, srgb_encode
+from motes.report.figures import shown_channels
 from motes.report.findings import count, percent
-from motes.report.markup import Html, escape, join, table, tag
-from motes.report.slices import NearMirror, Samples, Slices, near_mirror, polar_slices
+from motes.report.markup import Html, tag
+from motes.report.sections import Context
+from motes.report.slices import Samples, Slices, near_mirror, polar_slices
 from motes.report.sphere import LIGHTS, sphere_radiances
 
 POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'"
-# Larger tables of correlations are given as their strongest pairs.
-MOST_CORRELATED = 12
 SPHERE_SIZE = 320  # shown at three quarters of it or less: sharp on dense screens too
-_CHIPS = {
-    Verdict.IDENTIFIED: ("good", "✓"),
-    Verdict.WEAK: ("warn", "≈"),
-    Verdict.UNIDENTIFIABLE: ("bad", "✗"),
-    Verdict.AT_LOWER: ("warn", "⊢"),
-    Verdict.AT_UPPER: ("warn", "⊣"),
-    Verdict.FIXED: ("plain", "="),
-}
-
-
-class Context(NamedTuple):
-    """What the sections share, computed once."""
-
-    fit: Fit
-    samples: Samples
-    channels: list[plots.Shown]
-    along: Slices
-    across: Slices
-    near: NearMirror | None
-    spheres: dict[str, str]
-    light_words: str
 
 
 class Section(NamedTuple):
@@ -91,7 +65,7 @@ def write_report(fit: Fit, path: str | os.PathLike[str]) -> Path:
 def render(fit: Fit) -> str:
     """The page as text; see `write_report`."""
     context = _context(fit)
-    sections = [(s, body) for s in SECTIONS if (body := s.body(context)) is not None]
+    shown = [(s, body) for s in SECTIONS if (body := s.body(context)) is not None]
     style = resources.files("motes.report").joinpath("style.css").read_text(encoding="utf-8")
     head = tag(
         "head",
@@ -101,8 +75,8 @@ def render(fit: Fit) -> str:
         tag("title", f"{fit.measurement.name}: {fit.model_text} · Motes"),
         tag("style", Html(style)),
     )
-    links = tag("nav", *(tag("a", s.title, href=f"#{s.anchor}") for s, _ in sections), aria_label="Sections")
-    parts = [tag("section", tag("h2", s.title), body, id=s.anchor) for s, body in sections]
+    links = tag("nav", *(tag("a", s.title, href=f"#{s.anchor}") for s, _ in shown), aria_label="Sections")
+    parts = [tag("section", tag("h2", s.title), body, id=s.anchor) for s, body in shown]
     body = tag("body", tag("main", _headline(context), links, *parts, _footer()))
     return "<!doctype html>\n" + tag("html", head, body, lang="en") + "\n"
 
@@ -115,7 +89,7 @@ def _context(fit: Fit) -> Context:
     return Context(
         fit,
         samples,
-        plots.shown_channels(fit),
+        shown_channels(fit),
         polar_slices(samples) if some else empty,
         polar_slices(samples, across=True, most=3) if some else empty,
         near_mirror(samples) if some else None,
@@ -141,12 +115,25 @@ def _headline(context: Context) -> Html:
     missed = findings.misses(context.samples, context.near)
     return tag(
         "header",
-        tag("img", src=context.spheres["three-quarter"], alt=f"A sphere of the fitted material, lit {LIGHTS['three-quarter'].words}", width=240, height=240),
+        tag(
+            "img",
+            src=context.spheres["three-quarter"],
+            alt=f"A sphere of the fitted material, lit {LIGHTS['three-quarter'].words}",
+            width=240,
+            height=240,
+        ),
         tag(
             "div",
             tag("h1", data.name),
             tag("p", findings.model_words(fit.brdf), class_="model"),
-            tag("p", findings.verdict(fit), " ", findings.determined(fit), f" {missed}" if missed else None, class_="lead"),
+            tag(
+                "p",
+                findings.verdict(fit),
+                " ",
+                findings.determined(fit),
+                f" {missed}" if missed else None,
+                class_="lead",
+            ),
             tag("dl", *(tag("div", tag("dt", name), tag("dd", value)) for name, value in facts), class_="facts"),
         ),
     )
@@ -163,11 +150,14 @@ def _spheres(fit: Fit) -> tuple[dict[str, str], str]:
     bright = float(np.median(linear["front"][coverage == 1].max(-1)))
     stops = int(np.clip(np.floor(np.log2(0.5 / bright)), 0, 4)) if math.isfinite(bright) and bright > 0 else 0
     alpha = np.round(255 * coverage).astype(np.uint8)[..., None]
-    encoded = {name: data_uri(png(np.concatenate([srgb_encode(2.0**stops * rgb), alpha], axis=-1))) for name, rgb in linear.items()}
+    encoded = {
+        name: data_uri(png(np.concatenate([srgb_encode(2.0**stops * rgb), alpha], axis=-1)))
+        for name, rgb in linear.items()
+    }
     exposure = (
         "A white diffuser facing the lamp would be display white"
         if stops == 0
-        else f"Exposure is raised by {count(stops, 'stop')}: a white diffuser facing the lamp would be {2**stops} times display white"
+        else f"Exposure is raised by {count(stops, 'stop')}: a white diffuser facing the lamp would have {2**stops} times the value of display white"
     )
     words = (
         "One distant lamp (85 % of the light on a surface that faces it) and a uniform white dome (15 %), orthographic camera, no other reflections. "
@@ -178,239 +168,40 @@ def _spheres(fit: Fit) -> tuple[dict[str, str], str]:
 
 def _spheres_section(context: Context) -> Html:
     pictures = [
-        tag("div", tag("img", src=uri, alt=f"Sphere of the fitted material, lamp {LIGHTS[name].words}", width=220, height=220), f"lamp {LIGHTS[name].words}")
+        tag(
+            "div",
+            tag("img", src=uri, alt=f"Sphere of the fitted material, lamp {LIGHTS[name].words}", width=220, height=220),
+            f"lamp {LIGHTS[name].words}",
+        )
         for name, uri in context.spheres.items()
     ]
     return tag("figure", tag("div", *pictures, class_="strip"), tag("figcaption", context.light_words))
 
 
-# ---------------------------------------------------------------- parameters
-
-
-def _parameters(context: Context) -> Html:
-    fit = context.fit
-    rows = parameter_rows(fit)
-    head = ("parameter", "channel", "value", "standard error", "unit", "verdict", "meaning", "range searched")
-    many = {name for name, p in fit.parameters.items() if len(p.verdicts) > 4}
-    few = [_row(fit.parameters[r["name"]], r) for r in rows if r["name"] not in many]
-    rest = [_row(fit.parameters[r["name"]], r) for r in rows if r["name"] in many]
-    spectral = plots.spectral_figure(fit)
-    short = {name: sum(v is not Verdict.IDENTIFIED for v in fit.parameters[name].verdicts) for name in many}
-    summary = "; ".join(f"{name}: {len(fit.parameters[name].verdicts)} channels, {n or 'none'} not identified" for name, n in sorted(short.items()))
-    return join(
-        table(head, few) if few else None,
-        spectral,
-        tag("details", tag("summary", f"Table of {summary}"), table(head, rest)) if rest else None,
-        tag("p", "The standard error is one sigma (68 %), from the curvature of the objective at the optimum: it holds for noise that is independent from sample "
-            "to sample, not for what the model cannot express.", class_="note"),
-    )
-
-
-def _row(p: FittedParameter, row: dict[str, str]) -> list[object]:
-    kind, mark = _CHIPS[Verdict(row["verdict"])]
-    words, _, detail = row["verdict"].partition(": ")
-    low, high = p.bounds
-    return [
-        tag("td", tag("code", row["name"])),
-        row["channel"] or "all",
-        tag("td", row["value"], class_="number"),
-        tag("td", f"± {row['stderr']}" if row["stderr"] else "–", class_="number"),
-        row["unit"] or "ratio",
-        tag("td", tag("span", f"{mark} {words}", class_=f"verdict {kind}"), f" {detail}" if detail else None),
-        row["meaning"],
-        tag("td", "held" if kind == "plain" else f"{low:.4g} to {'∞' if math.isinf(high) else f'{high:.4g}'}", class_="number"),
-    ]
-
-
-# ---------------------------------------------------------------- figures
-
-
-def _slices(context: Context) -> Html:
-    groups = [g for g in (context.along, context.across) if g.panels]
-    if not groups or not context.channels:
-        return tag("p", f"The data hold {count(len(context.samples), 'usable direction')}: too few along any plane through the normal for a curve.", class_="note")
-    scale = plots.slice_scale(context.fit, groups, context.channels)
-    names = ", ".join(c.name for c in context.channels)
-    hidden = context.fit.measurement.n_channels - len(context.channels)
-    return join(
-        tag("p", f"Channels shown: {names}; {hidden} others are not drawn.", class_="note") if hidden else None,
-        *(plots.slices_figure(context.fit, g, context.channels, scale) for g in groups),
-    )
-
-
-def _mirror(context: Context) -> Html:
-    if context.near is None or not context.channels:
-        return tag("p", "Fewer than three angles of incidence have a sample within 6° of the mirror direction: what the highlight does towards grazing cannot be seen.", class_="note")
-    return plots.mirror_figure(context.fit, context.near, context.channels)
-
-
-def _agreement(context: Context) -> Html:
-    if len(context.samples) < 2 or not context.channels:
-        return tag("p", f"The data hold {count(len(context.samples), 'usable direction')}: nothing to compare.", class_="note")
-    return join(plots.agreement_figure(context.samples, context.channels), tag("h3", "Over the hemisphere"), plots.residual_figure(context.samples))
-
-
-def _lobes(context: Context) -> Html | None:
-    return plots.lobes_figure(context.fit, context.channels) if context.channels else None
-
-
-# ---------------------------------------------------------------- tables
-
-
-def _metrics(context: Context) -> Html:
-    fit = context.fit
-    data = fit.measurement
-    mask, values = data.mask[0], data.values[0]
-    cosine = np.clip(data.wi[:, 2:3], 0, None)
-    words = {
-        "linear": "difference of f cos θᵢ: what a light makes visible",
-        "log": "difference of log(1 + f cos θᵢ): weighs dim parts more",
-        "cube_root": "difference of (f cos θᵢ)^(1/3): about the eye's lightness",
-        "plain": "difference of f itself: dominated by grazing angles and highlights",
-    }
-    units = {"linear": "1/sr", "plain": "1/sr", "cube_root": "sr^(−1/3)", "log": ""}
-    rows: list[list[object]] = []
-    for name in ("linear", "log", "cube_root", "plain"):
-        value = fit.metrics.get(f"rms_{name}", math.nan)
-        signal = LOSSES[name].transform(values, np.broadcast_to(cosine, values.shape))[mask]
-        size = float(np.sqrt(np.mean(signal**2))) if signal.size else math.nan
-        share = percent(value / size) if size > 0 and math.isfinite(value) else "–"
-        minimised = tag("span", " ← minimised", class_="verdict plain") if name == fit.loss else None
-        rows.append([tag("td", name, minimised), tag("td", f"{value:.4g} {units[name]}".strip(), class_="number"), tag("td", share, class_="number"), words[name]])
-    relative = percent(fit.metrics.get("relative_rms", math.nan))
-    robust = f", robust function {fit.robust}" if fit.robust != "none" else ""
-    return join(
-        tag("p", tag("strong", f"Relative RMS {relative}"), ": RMS(f − r) / RMS(r), unweighted, over all unmasked samples, with f the fit and r the measurement."),
-        table(("loss", "RMS of the residual", "of the signal's RMS", "meaning"), rows),
-        tag("p", f"Minimised: {fit.loss}{robust}. Status: {fit.status}. {count(fit.iterations, 'iteration')} from {count(fit.n_starts, 'start')}, {fit.seconds:.2g} s. "
-            f"BIC {fit.metrics.get('bic', math.nan):.1f}.", class_="note"),
-    )
-
-
-def _tried(context: Context) -> Html | None:
-    tried = context.fit.tried
-    if not tried:
-        return None
-    best = min((t.bic for t in tried if math.isfinite(t.bic)), default=math.nan)
-    rows = [
-        [
-            tag("td", tag("code", t.model), tag("span", " ✓ chosen", class_="verdict good") if t.chosen else None),
-            tag("td", t.n_parameters, class_="number"),
-            tag("td", percent(t.relative_rms), class_="number"),
-            tag("td", f"{t.bic:,.1f}".replace("-", "−"), class_="number"),
-            tag("td", f"+{t.bic - best:,.1f}" if t.bic > best else "0", class_="number"),
-            str(t.status),
-        ]
-        for t in tried
-    ]
-    note = (
-        "BIC weighs closeness against the number of parameters; the smallest is chosen. A difference above 10 is strong evidence, given independent noise."
-        if len(tried) > 1
-        else "One model was asked for, so none was compared; model=\"auto\" compares several."
-    )
-    return join(table(("model", "free parameters", "relative RMS", "BIC", "above the best", "status"), rows), tag("p", note, class_="note"))
-
-
-def _masked(context: Context) -> Html:
-    data = context.fit.measurement
-    total = data.mask.size
-    lost = int(total - data.mask.sum())
-    shape = f"{count(data.n_directions, 'direction')} × {count(data.n_channels, 'channel')} = {count(total, 'sample')}"
-    if not lost:
-        return tag("p", f"Nothing: all of {shape} were used.")
-    rows = [[reason, tag("td", f"{n:,}", class_="number"), tag("td", percent(n / total), class_="number")] for reason, n in data.masked.items()]
-    empty = [data.channels[c] for c in range(data.n_channels) if not data.mask[0, :, c].any()]
-    return join(
-        tag("p", f"{lost:,} of {shape} ({percent(lost / total)}) were left out. Nothing was clamped or filled in."),
-        table(("reason", "samples", "share"), rows),
-        tag("p", tag("strong", "No usable sample: "), ", ".join(empty), ". What is said of these channels rests on no data.") if empty else None,
-    )
-
-
-def _correlations(context: Context) -> Html | None:
-    labels, matrix = context.fit.labels, np.asarray(context.fit.correlations)
-    if len(labels) < 2:
-        return None
-    undetermined = [label for k, label in enumerate(labels) if not np.isfinite(matrix[k, k])]
-    note = tag("p", f"No correlations: {', '.join(undetermined)} (at a bound, or not determined).", class_="note") if undetermined else None
-    words = tag("p", "Two parameters with a correlation near ±1 trade against each other: the data determine a combination of the two better than either.", class_="note")
-    if len(labels) <= MOST_CORRELATED:
-        rows = [[tag("th", label, scope="row"), *(_heat(matrix[i, j]) if i != j else tag("td", "1", class_="blank") for j in range(len(labels)))] for i, label in enumerate(labels)]
-        return join(table(("", *labels), rows, class_="heat"), words, note)
-    i, j = np.triu_indices(len(labels), 1)
-    strength = np.nan_to_num(np.abs(matrix[i, j]))
-    order = np.argsort(-strength, kind="stable")[:10]
-    rows = [[tag("code", labels[i[k]]), tag("code", labels[j[k]]), _heat(matrix[i[k], j[k]])] for k in order if strength[k] > 0]
-    if not rows:
-        return note
-    return join(tag("p", f"The ten strongest of {len(i):,} pairs."), table(("parameter", "with", "correlation"), rows, class_="heat"), words, note)
-
-
-def _heat(value: float) -> Html:
-    if not math.isfinite(value):
-        return tag("td", "–", class_="blank")
-    color = diverging(value)
-    ink = "#1c1d1f" if np.dot(color, [0.299, 0.587, 0.114]) > 130 else "#ffffff"
-    return tag("td", f"{value:+.2f}".replace("-", "−"), style=f"background:{hex_color(color)};color:{ink}")
-
-
-def _provenance(context: Context) -> Html:
-    data = context.fit.measurement
-    about = data.provenance
-    pairs: list[tuple[str, object]] = [(name, about[name]) for name in ("format", "path", "sample", "source") if about.get(name) not in (None, "")]
-    pairs.append(("directions", f"{data.n_directions:,}"))
-    channels = ", ".join(data.channels[:8]) + (f", … {data.channels[-1]} ({data.n_channels})" if data.n_channels > 8 else "")
-    pairs.append(("channels", channels))
-    if data.n_directions:
-        for name, w in (("θᵢ", data.wi), ("θᵣ", data.wo)):
-            low, high = (theta(w[k(w[:, 2])]) for k in (np.argmax, np.argmin))
-            pairs.append((name, f"{np.degrees(low):.3g}° to {np.degrees(high):.3g}°"))
-    pairs.append(("weights", "by solid angle" if np.ptp(data.weights) > 0 else "all alike"))
-    if float(data.times[0]) or about.get("n_times"):
-        pairs.append(("time", f"{data.times[0]:g} {data.time_unit}"))
-    notes = [str(note) for note in about.get("notes") or ()]
-    return join(
-        tag("dl", *(join(tag("dt", name), tag("dd", value)) for name, value in pairs), class_="pairs"),
-        tag("ul", *(tag("li", note) for note in notes)) if notes else None,
-    )
-
-
-def _use(context: Context) -> Html:
-    text = json.dumps(context.fit.material.to_dict(), indent=1, default=str)
-    address = "data:application/json;base64," + base64.b64encode(text.encode()).decode("ascii")
-    code = (
-        "import motes\n"
-        'material = motes.load("material.json")       # written by motes fit, or saved from the link below\n'
-        "f = material.brdf.eval(wi, wo)               # 1/sr, without the cosine; wi, wo (..., 3) unit vectors"
-    )
-    return join(
-        tag("pre", tag("code", code)),
-        tag("p", tag("a", "Save material.json", href=address, download="material.json"), " (it is part of this page)."),
-        tag("details", tag("summary", "material.json"), tag("pre", tag("code", text))),
-    )
-
-
 def _footer() -> Html:
     return tag(
         "footer",
-        tag("p", "Conventions: wi points to the light, wo to the viewer, both away from the surface; θ is the angle from the normal; values are f in 1/sr without the "
-            "cosine, linear; angles are radians in numbers and degrees in pictures; D of Torrance-Sparrow is not normalised unless the model says facets."),
+        tag(
+            "p",
+            "Conventions: wi points to the light, wo to the viewer, both away from the surface; θ is the angle from the normal; "
+            "values are f in 1/sr without the "
+            "cosine, linear; angles are radians in numbers and degrees in pictures; D of Torrance-Sparrow is not normalised unless the model says facets.",
+        ),
         tag("p", f"Motes {motes.__version__}. This page is self-contained: it asks the network for nothing."),
     )
 
 
 SECTIONS = (
     Section("spheres", "The material under a lamp", _spheres_section),
-    Section("parameters", "Parameters", _parameters),
-    Section("slices", "Measured and fitted", _slices),
-    Section("highlight", "The highlight towards grazing", _mirror),
-    Section("residuals", "Residuals", _agreement),
-    Section("lobes", "Lobes", _lobes),
-    Section("metrics", "Metrics", _metrics),
-    Section("models", "Models tried", _tried),
-    Section("masked", "What was masked", _masked),
-    Section("correlations", "Correlations", _correlations),
-    Section("data", "Where the data come from", _provenance),
-    Section("use", "Use the material", _use),
+    Section("parameters", "Parameters", sections.parameters),
+    Section("slices", "Measured and fitted", sections.slices),
+    Section("highlight", "The highlight towards grazing", sections.mirror),
+    Section("residuals", "Residuals", sections.agreement),
+    Section("lobes", "Lobes", sections.lobes),
+    Section("metrics", "Metrics", sections.metrics),
+    Section("models", "Models tried", sections.tried),
+    Section("masked", "What was masked", sections.masked),
+    Section("correlations", "Correlations", sections.correlations),
+    Section("data", "Where the data come from", sections.provenance),
+    Section("use", "Use the material", sections.use),
 )
-__all__ = ["escape", "render", "write_report"]

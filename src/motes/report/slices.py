@@ -5,8 +5,9 @@ All angles are isotropic ones: theta_i, theta_r and phi_r - phi_i.  In a slice t
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
-from typing import Self
+from typing import NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,7 +45,9 @@ class Samples:
         data = fit.measurement
         mask = data.mask[0]
         kept = mask.any(1) & (data.wi[:, 2] > 0) & (data.wo[:, 2] > 0)
-        keep = slice(None) if kept.all() else kept  # a view, where it can be one: a dense measurement has millions of samples
+        keep = (
+            slice(None) if kept.all() else kept
+        )  # a view, where it can be one: a dense measurement has millions of samples
         mask = mask[keep]
         fitted = np.broadcast_to(fit.predicted, data.values.shape[1:])
         across = data.wi[keep, :2] + data.wo[keep, :2]
@@ -148,7 +151,9 @@ def _panels(near: Samples, off_angle: float, across: bool, most: int) -> list[Sl
             signed[np.cos(chosen.dphi) > 0] *= -1
         order = np.argsort(signed, kind="stable")
         signed, chosen = signed[order], chosen.take(order)
-        if len(order) > 120:  # dense data: one sample in each step of 1.5 degrees, the one nearest to the angle of incidence
+        if (
+            len(order) > 120
+        ):  # dense data: one sample in each step of 1.5 degrees, the one nearest to the angle of incidence
             step = np.round(np.degrees(signed) / 1.5)
             nearest = np.lexsort((np.abs(chosen.theta_i - center), step))
             first = nearest[np.r_[True, np.diff(step[nearest]) != 0]]
@@ -181,18 +186,28 @@ def _centers(theta_i: Floats, off_angle: float) -> list[float]:
     return centers
 
 
-def incidence_groups(theta_i: Floats, most: int = 8) -> list[tuple[float, NDArray[np.bool_]]]:
-    """Samples by angle of incidence: each of a regular measurement, else equal shares; (angle [rad], which)."""
+class Group(NamedTuple):
+    """Samples of one angle of incidence, or of a range of them: its median [rad], words for it, and which samples."""
+
+    theta_i: float
+    title: str
+    which: NDArray[np.bool_]
+
+
+def incidence_groups(theta_i: Floats, most: int = 8) -> list[Group]:
+    """Samples by angle of incidence: each of a regular measurement, else four equal shares."""
     regular = distinct_angles(theta_i, most)
     if regular is not None:
-        return [(float(t), np.abs(theta_i - t) <= np.deg2rad(0.3)) for t in regular]
+        return [Group(float(t), f"θᵢ = {np.degrees(t):.3g}°", np.abs(theta_i - t) <= np.deg2rad(0.3)) for t in regular]
     edges = np.quantile(theta_i, np.linspace(0, 1, 5))
-    edges[0], edges[-1] = -1, 4
-    return [
-        (float(np.median(theta_i[which])), which)
-        for low, high in zip(edges[:-1], edges[1:], strict=True)
-        if (which := (theta_i > low) & (theta_i <= high)).any()
-    ]
+    edges[0] = -1
+    groups = []
+    for low, high in itertools.pairwise(edges):
+        which = (theta_i > low) & (theta_i <= high)
+        if which.any():
+            first, last = np.degrees(theta_i[which].min()), np.degrees(theta_i[which].max())
+            groups.append(Group(float(np.median(theta_i[which])), f"θᵢ from {first:.0f}° to {last:.0f}°", which))
+    return groups
 
 
 @dataclass(frozen=True)

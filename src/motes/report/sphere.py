@@ -99,7 +99,9 @@ def sphere_radiances(
     part = np.clip(0.5 + (1 - radius) * (0.5 * (size - 2) * samples), 0, 1)
     inside = part > 0
     part = part[inside, None]
-    shrink = np.minimum(1, np.float32(0.9995) / np.maximum(radius[inside], np.float32(1e-6)))  # squares on the edge take the normal just inside
+    shrink = np.minimum(
+        1, np.float32(0.9995) / np.maximum(radius[inside], np.float32(1e-6))
+    )  # squares on the edge take the normal just inside
     x, y = x[inside] * shrink, y[inside] * shrink
     x[(x == 0) & (y == 0)] = 1e-4  # azimuth needs a side, also in the middle
     normal = np.stack([x, y, np.sqrt(1 - x * x - y * y)], -1)
@@ -112,7 +114,7 @@ def sphere_radiances(
         return grid.reshape(size, samples, size, samples, -1).sum((1, 3)) if samples > 1 else grid
 
     covered = pixels(part)
-    radiances = []
+    radiances: list[Floats] = []
     for light in lights:
         towards = np.asarray(LIGHTS[light].direction if isinstance(light, str) else light, np.float32)
         lamp = np.float32(1 - dome) * _lit(brdf, normal, towards / np.linalg.norm(towards))

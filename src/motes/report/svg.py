@@ -46,7 +46,13 @@ class Scale:
         """A logarithmic scale for ratios that holds 1, with ticks that are one another's inverse where that reads well."""
         low, high = min(low, 0.96) / 1.05, max(high, 1.04) * 1.05
         reach = max(high, 1 / low)
-        sets = ((1.1, (0.92, 0.96, 1.04, 1.08)), (1.2, (0.85, 0.9, 0.95, 1.05, 1.1, 1.15)), (1.5, (0.7, 0.8, 0.9, 1.1, 1.25, 1.4)), (2.6, (0.5, 0.7, 1.4, 2)))
+        ticks: tuple[float, ...]
+        sets: tuple[tuple[float, tuple[float, ...]], ...] = (
+            (1.1, (0.92, 0.96, 1.04, 1.08)),
+            (1.2, (0.85, 0.9, 0.95, 1.05, 1.1, 1.15)),
+            (1.5, (0.7, 0.8, 0.9, 1.1, 1.25, 1.4)),
+            (2.6, (0.5, 0.7, 1.4, 2)),
+        )
         ticks = next((t for most, t in sets if reach <= most), (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 2, 5, 10, 20, 50, 100))
         if reach > 30:
             ticks = tuple(10.0**k for k in range(-8, 9) if k and (reach < 1e4 or k % 2 == 0))
@@ -91,8 +97,7 @@ class Scale:
             every = math.ceil(decades / most)
             return [10.0**k for k in range(first, last + 1) if k % every == 0 and self.low <= 10.0**k <= self.high]
         factors = (1, 2, 5) if decades > 0.75 else (1, 1.5, 2, 3, 4, 5, 7)
-        marks = [f * 10.0**k for k in range(first, last + 1) for f in factors if self.low <= f * 10.0**k <= self.high]
-        return marks
+        return [f * 10.0**k for k in range(first, last + 1) for f in factors if self.low <= f * 10.0**k <= self.high]
 
 
 def _points(x: NDArray[np.float64], y: NDArray[np.float64]) -> list[str]:
@@ -149,7 +154,9 @@ class Panel:
         path = "".join(f"M{point}h0" for point in _points(px[good], py[good]))
         self._path(path, kind, color, f"stroke-width:{size:g}")
 
-    def whiskers(self, x: ArrayLike, low: ArrayLike, high: ArrayLike, color: str = "--ink", kind: str = "whiskers") -> None:
+    def whiskers(
+        self, x: ArrayLike, low: ArrayLike, high: ArrayLike, color: str = "--ink", kind: str = "whiskers"
+    ) -> None:
         """Vertical strokes from low to high."""
         px, a = self.place(x, low)
         _, b = self.place(x, high)
@@ -182,7 +189,15 @@ class Panel:
             )
         )
 
-    def text(self, x: float, y: float, words: str, anchor: str = "middle", kind: str = "note", shift: tuple[float, float] = (0, 0)) -> None:
+    def text(
+        self,
+        x: float,
+        y: float,
+        words: str,
+        anchor: str = "middle",
+        kind: str = "note",
+        shift: tuple[float, float] = (0, 0),
+    ) -> None:
         """Words at a point of the plot area, moved by pixels."""
         px, py = self.place(x, y)
         if np.isfinite(px[0]) and np.isfinite(py[0]):
@@ -206,7 +221,9 @@ class Panel:
         if self.title:
             parts.append(_text(left if self.axes else 4, 17, self.title, "start", "title"))
         return Html(
-            f'<svg class="panel" viewBox="0 0 {self.width} {self.height}" role="img" aria-label="{_attribute(alt)}">' + "".join(parts) + "</svg>"
+            f'<svg class="panel" viewBox="0 0 {self.width} {self.height}" role="img" aria-label="{_attribute(alt)}">'
+            + "".join(parts)
+            + "</svg>"
         )
 
     def _frame(self) -> list[str]:
