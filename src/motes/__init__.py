@@ -1,48 +1,60 @@
-"""Motes: reflectance that changes with time, from measurement to picture."""
+"""Motes: reflectance that changes with time, from measurement to picture.
 
+Names are imported when first used, so that ``import motes`` is light and ``motes --help`` answers at once.
+"""
+
+from importlib import import_module
 from typing import TYPE_CHECKING
-
-from motes.errors import MotesError
-from motes.models import (
-    BRDF,
-    Conductor,
-    Dielectric,
-    Dust,
-    DustLayer,
-    Lambert,
-    OrenNayar,
-    Schlick,
-    TorranceSparrow,
-)
-
-if TYPE_CHECKING:
-    from motes.fitting import Fit, fit
-    from motes.material import Material, load
-    from motes.measurements import Measurement, read
 
 __version__ = "0.1.0"
 
-# What reads and fits is imported when first used, so that `import motes` stays light.
-_LAZY = {
-    "Fit": "motes.fitting",
-    "Material": "motes.material",
-    "Measurement": "motes.measurements",
-    "fit": "motes.fitting",
-    "load": "motes.material",
-    "read": "motes.measurements",
+if TYPE_CHECKING:
+    from motes.errors import MotesError
+    from motes.fitting import Fit, fit
+    from motes.material import Material, load
+    from motes.measurements import Measurement, read
+    from motes.models import (
+        BRDF,
+        Conductor,
+        Dielectric,
+        Dust,
+        DustLayer,
+        Lambert,
+        OrenNayar,
+        Schlick,
+        TorranceSparrow,
+    )
+
+_HOMES = {
+    "MotesError": "errors",
+    "Fit": "fitting",
+    "fit": "fitting",
+    "Material": "material",
+    "load": "material",
+    "Measurement": "measurements",
+    "read": "measurements",
+    "BRDF": "models",
+    "Conductor": "models",
+    "Dielectric": "models",
+    "Dust": "models",
+    "DustLayer": "models",
+    "Lambert": "models",
+    "OrenNayar": "models",
+    "Schlick": "models",
+    "TorranceSparrow": "models",
 }
 
 
 def __getattr__(name: str) -> object:
-    if name in _LAZY:
-        import importlib
-
-        return getattr(importlib.import_module(_LAZY[name]), name)
-    raise AttributeError(f"module 'motes' has no attribute {name!r}")
+    if name not in _HOMES:
+        raise AttributeError(f"module 'motes' has no attribute {name!r}")
+    value = getattr(import_module(f"motes.{_HOMES[name]}"), name)
+    globals()[name] = value
+    return value
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *_LAZY})
+    return sorted({*globals(), *_HOMES})
 
 
 __all__ = [

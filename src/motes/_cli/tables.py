@@ -35,7 +35,8 @@ def parameter_table(fit: Fit, truth: dict[str, Any] | None = None) -> Table:
     if truth:
         table.add_column("true", justify="right")
     table.add_column("verdict")
-    if wide:
+    meaning = wide and not truth
+    if meaning:
         table.add_column("meaning")
     for name, parameter in fit.parameters.items():
         own = [row for row in rows if row["name"] == name]
@@ -50,7 +51,7 @@ def parameter_table(fit: Fit, truth: dict[str, Any] | None = None) -> Table:
         if truth:
             cells.append(_numbers(truth.get(name), ", " if wide else "\n"))
         cells.append(str(parameter.verdict).partition(":")[0])
-        table.add_row(name, *cells, *([parameter.doc] if wide else []))
+        table.add_row(name, *cells, *([parameter.doc] if meaning else []))
     return table
 
 

@@ -1,15 +1,16 @@
 """exp, expm1 and asin as straight-line polynomials that LLVM vectorises; it calls libm, one number at a time, for the usual ones.
 
-The coefficients are minimax, printed by ``tools/minimax.py``.  Errors over the whole domain, measured against 40-digit arithmetic by
+The coefficients are minimax, printed by ``tools/minimax.py``.  Errors over the whole domain, measured against wider arithmetic by
 ``tests/test_codegen_elementary.py``, in units of the last place of the result:
 
-=========  =======  =======  ============================================================================
-function   float32  float64  edges
-=========  =======  =======  ============================================================================
-exp        1.5      1.5      below 2^-125.5 (2^-1021.5) flushed to 0; overflows to inf where it should
-expm1      2.5      2.5      -1 at the far left; its sign of zero is not kept
-asin       2.5      2.5      NaN outside [-1, 1]
-=========  =======  =======  ============================================================================
+=========  =======  ====================================================================================
+function   at most  edges
+=========  =======  ====================================================================================
+exp        1.5      below 2^-125.5 (float64: 2^-1021.5) flushed to 0; overflows to inf where it should
+expm1      2.5      -1 at the far left; the sign of zero is not kept
+asin_near  1        on [-0.7072, 0.7072] only
+asin       3        NaN outside [-1, 1]
+=========  =======  ====================================================================================
 
 NaN in, NaN out.  exp and expm1 share their reduction x = k ln(2) + r and polynomial, so a compiler does it once when it meets both:
 with s = 2^(k-1) and p = exp(r) - 1, exp(x) = 2 (s p + s) and expm1(x) = 2 (s p + (s - 1/2)).

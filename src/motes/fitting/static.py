@@ -107,8 +107,8 @@ def fit(
                 f"max_theta = {max_theta:.4g} is outside (0, 1.571] rad",
                 f"{max_theta:.4g} degrees is {math.radians(max_theta):.3f} rad",
             )
-        beyond = np.minimum(data.wi[:, 2], data.wo[:, 2]) < math.cos(max_theta)
-        data = data.with_mask(beyond[None, :, None], f"theta beyond {math.degrees(max_theta):.3g} degrees")
+        within = np.minimum(data.wi[:, 2], data.wo[:, 2]) >= math.cos(max_theta)
+        data = data.with_mask(within[None, :, None], f"theta beyond {math.degrees(max_theta):.3g} degrees")
     loss_named(loss), robust_named(robust)
     texts: tuple[str | BRDF, ...] = CANDIDATES if isinstance(model, str) and model.strip() == "auto" else (model,)
     # Candidates are compared on a part of large data; the chosen one is then fitted to all.

@@ -246,13 +246,15 @@ def spectral_figure(fit: Fit) -> Html | None:
     data = fit.measurement
     if data.wavelengths is None or data.n_channels < 5:
         return None
-    nm = data.wavelengths
-    x = Scale(float(nm.min()), float(nm.max()))
+    order = np.argsort(data.wavelengths)
+    nm = data.wavelengths[order]
+    x = Scale(float(nm[0]), float(nm[-1]))
     panels = []
     for p in fit.parameters.values():
         value, error = np.atleast_1d(p.value), np.nan_to_num(np.atleast_1d(p.stderr))
         if len(value) != len(nm):
             continue
+        value, error = value[order], error[order]
         panel = Panel(
             x,
             Scale.around(value + error, value - error, zero=True),
@@ -268,6 +270,7 @@ def spectral_figure(fit: Fit) -> Html | None:
     with np.errstate(invalid="ignore", divide="ignore"):
         counts = np.maximum(np.isfinite(residual).sum(0), 1)
         relative = np.sqrt(np.nansum(residual**2, 0) / counts) / np.sqrt(np.nansum(values**2, 0) / counts)
+    relative = relative[order]
     panel = Panel(
         x,
         Scale.around(100 * relative, zero=True),

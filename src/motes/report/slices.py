@@ -136,7 +136,7 @@ def polar_slices(samples: Samples, *, across: bool = False, most: int = 6) -> Sl
         tolerance = np.deg2rad(degrees)
         near = np.flatnonzero(off_plane <= tolerance)
         found = _panels(samples.take(near), off_angle, across, most) if len(near) else []
-        if len(found) >= min(3, most) and np.median([len(s.theta_r) for s in found]) >= 7:
+        if len(found) >= min(3, most) and np.median([len(s.theta_r) for s in found]) >= (5 if regular else 7):
             break
     return Slices(tuple(found), float(tolerance), float(off_angle))
 

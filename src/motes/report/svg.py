@@ -120,7 +120,6 @@ class Panel:
     height: int = 250
     axes: bool = True
     _inside: list[str] = field(default_factory=list)
-    _outside: list[str] = field(default_factory=list)
 
     @property
     def _box(self) -> tuple[float, float, float, float]:
@@ -217,7 +216,6 @@ class Panel:
         # A nested svg clips its content without an id that would have to be unique on the page.
         inside = "".join(self._inside)
         parts.append(f'<svg x="{left}" y="{top}" width="{width}" height="{height}">{inside}</svg>')
-        parts += self._outside
         if self.title:
             parts.append(_text(left if self.axes else 4, 17, self.title, "start", "title"))
         return Html(

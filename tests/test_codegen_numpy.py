@@ -1,0 +1,119 @@
+"""The functions that fits call: values and derivatives of a model as straight-line NumPy."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from catalogue import ENTRIES, SPECIAL_WI, SPECIAL_WO, Entry, reference, upper_directions
+from numpy.typing import NDArray
+
+from motes.codegen.numpy import residual_function
+from motes.models import BRDF, DustLayer, Lambert, OrenNayar, TorranceSparrow
+
+entries = pytest.mark.parametrize("entry", ENTRIES, ids=str)
+WI = np.concatenate([upper_directions(40, 3), SPECIAL_WI])
+WO = np.concatenate([upper_directions(40, 4), SPECIAL_WO])
+
+
+def stacked(model: BRDF, sets: int = 1) -> dict[str, NDArray[np.float64]]:
+    """The values of a model's parameters, `sets` times: (B, 1, C) or (B, 1, 1)."""
+    return {
+        slot.name: np.repeat(np.reshape(np.asarray(slot.value, float), (1, 1, -1)), sets, axis=0) for slot in model.slots()
+    }
+
+
+@entries
+def test_values_are_those_of_the_model(entry: Entry) -> None:
+    function = residual_function(entry.model, [])
+    f = function.values(function.geometry(WI, WO), stacked(entry.model))
+    expected = reference(entry.model, WI, WO)
+    np.testing.assert_array_equal(np.broadcast_to(f[0], expected.shape), expected)
+
+
+@entries
+def test_derivatives_match_differences(entry: Entry) -> None:
+    model = entry.model
+    names = [slot.name for slot in model.slots()]
+    function = residual_function(model, names)
+    geometry = function.geometry(WI, WO)
+    parameters = stacked(model)
+    f, jacobian = function.values_and_jacobian(geometry, parameters)
+    np.testing.assert_array_equal(f, function.values(geometry, parameters))
+    assert list(jacobian) == names
+    for name in names:
+        step = 1e-6 * np.maximum(np.abs(parameters[name]), 0.1)
+        high, low = (function.values(geometry, parameters | {name: parameters[name] + h}) for h in (step, -step))
+        differences = (high - low) / (2 * step)
+        rounding = 4e-16 * np.abs(f) / step  # what the rounding of two values makes of their difference
+        error = np.abs(jacobian[name] - differences)
+        assert (error <= 1e-6 * np.abs(differences) + rounding + 1e-9).all(), name
+        assert np.isfinite(jacobian[name]).all()
+
+
+def test_many_sets_at_once_are_each_on_its_own() -> None:
+    model = DustLayer(OrenNayar((0.8, 0.7, 0.6)) + TorranceSparrow())
+    rng = np.random.default_rng(5)
+    parameters = {name: value * rng.uniform(0.5, 1.1, (6, *value.shape[1:])) for name, value in stacked(model, 6).items()}
+    function = residual_function(model, ["K_d", "K_s", "tau"])
+    geometry = function.geometry(WI, WO)
+    f, jacobian = function.values_and_jacobian(geometry, parameters)
+    assert f.shape == (6, len(WI), 3)
+    assert jacobian["K_s"].shape == (6, len(WI), 1), "a derivative that all channels share is computed once"
+    assert jacobian["K_d"].shape == (6, len(WI), 3)
+    for k in range(6):
+        one = {name: value[k : k + 1] for name, value in parameters.items()}
+        f_k, jacobian_k = function.values_and_jacobian(geometry, one)
+        np.testing.assert_array_equal(f[k], f_k[0])
+        for name in jacobian:
+            np.testing.assert_array_equal(jacobian[name][k], jacobian_k[name][0])
+
+
+def test_any_order_of_axes_that_broadcasts_will_do() -> None:
+    model = OrenNayar((0.8, 0.7, 0.6)) + TorranceSparrow()
+    function = residual_function(model, ["K_d"])
+    geometry, parameters = function.geometry(WI, WO), stacked(model, 2)
+    turned = {name: np.swapaxes(value, 1, 2) for name, value in parameters.items()}
+    f = function.values(tuple(column[:, 0] for column in geometry), turned)
+    np.testing.assert_array_equal(np.swapaxes(f, 1, 2), function.values(geometry, parameters))
+
+
+def test_geometry_does_not_depend_on_parameters_and_holds_nothing_twice() -> None:
+    function = residual_function(DustLayer(OrenNayar() + TorranceSparrow()), ["g", "sigma_s"])
+    geometry = function.geometry(WI, WO)
+    assert all(column.shape == (len(WI), 1) for column in geometry)
+    texts = [column.tobytes() for column in function.geometry(upper_directions(50, 1), upper_directions(50, 2))]
+    columns = [text for text in texts if len(text) == 50 * 8]
+    assert len(set(columns)) == len(columns)
+    assert "arcsin" in function.source.split("def values(")[0]
+    assert "arcsin(" not in function.source.split("def values(")[1], "angles depend on directions alone"
+
+
+def test_without_a_horizon_there_is_no_mask() -> None:
+    model = OrenNayar(0.5) + TorranceSparrow()
+    wi, wo = upper_directions(30, 1), upper_directions(30, 2)
+    masked, plain = (residual_function(model, ["K_d"], horizon=horizon) for horizon in (True, False))
+    assert plain is not masked
+    assert len(plain.source) < len(masked.source)
+    f, jacobian = plain.values_and_jacobian(plain.geometry(wi, wo), stacked(model))
+    g, slopes = masked.values_and_jacobian(masked.geometry(wi, wo), stacked(model))
+    np.testing.assert_array_equal(f, g)
+    np.testing.assert_array_equal(jacobian["K_d"], slopes["K_d"])
+
+
+def test_functions_are_made_once_for_a_structure() -> None:
+    one = residual_function(OrenNayar(0.5, 0.1), ["K_d"])
+    assert one is residual_function(OrenNayar((0.1, 0.2), 0.3), ["K_d"])
+    assert one is not residual_function(OrenNayar(0.5, 0.1), ["sigma_d"])
+
+
+def test_a_parameter_without_influence_has_derivative_zero() -> None:
+    function = residual_function(Lambert(), ["K_d"])
+    below = np.array([[0.0, 0.0, -1.0]])
+    f, jacobian = function.values_and_jacobian(function.geometry(below, below), {"K_d": np.full((1, 1, 1), 0.5)})
+    assert f.item() == 0.0
+    assert jacobian["K_d"].item() == 0.0
+
+
+def test_an_unknown_parameter_is_refused() -> None:
+    with pytest.raises(KeyError, match="sigma_s"):
+        residual_function(OrenNayar(), ["sigma_s"])
