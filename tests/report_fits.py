@@ -11,6 +11,7 @@ from motes.fitting.result import Fit, FittedParameter, Status, Trial, Verdict
 from motes.material import Material
 from motes.measurements import Measurement
 from motes.models import BRDF, describe
+from motes.report.sphere import evaluate
 
 
 def goniometer(
@@ -28,7 +29,7 @@ def goniometer(
 
 def measured(truth: BRDF, wi: np.ndarray, wo: np.ndarray, noise: float = 0.01, **more: Any) -> Measurement:
     """A measurement of `truth` with relative noise."""
-    f = np.asarray(truth.eval(wi, wo))
+    f = evaluate(truth, wi, wo)
     f = f * (1 + noise * np.random.default_rng(7).standard_normal(f.shape))
     return Measurement.from_arrays(wi, wo, f, **more)
 
@@ -36,7 +37,7 @@ def measured(truth: BRDF, wi: np.ndarray, wo: np.ndarray, noise: float = 0.01, *
 def as_fit(data: Measurement, brdf: BRDF, *, verdicts: dict[str, Verdict] | None = None, **changes: Any) -> Fit:
     """`brdf` as if it had been fitted to `data`, with the metrics that it really has."""
     mask, r = data.mask[0], np.nan_to_num(data.values[0])
-    predicted = np.array(np.broadcast_to(brdf.eval(data.wi, data.wo), r.shape))
+    predicted = np.array(np.broadcast_to(evaluate(brdf, data.wi, data.wo), r.shape))
     cosine = np.broadcast_to(np.clip(data.wi[:, 2:3], 0, None), r.shape)
 
     def rms(x: np.ndarray) -> float:

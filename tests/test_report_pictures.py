@@ -6,7 +6,6 @@ import io
 
 import numpy as np
 import pytest
-from report_fits import as_fit, goniometer, measured
 
 from motes import Dielectric, Dust, Lambert, OrenNayar, TorranceSparrow
 from motes.directions import frame, from_spherical
@@ -16,6 +15,7 @@ from motes.report.color import channels_to_srgb, diverging, png, sequential, srg
 from motes.report.markup import Html, escape, join, tag
 from motes.report.slices import Samples, distinct_angles, grows, incidence_groups, near_mirror, polar_slices
 from motes.report.svg import Panel, Scale, number
+from report_fits import as_fit, goniometer, measured
 
 # ---------------------------------------------------------------- colour
 

@@ -178,7 +178,8 @@ class _Job:
         for name, w in (("wi", wi), ("wo", wo)):
             if w.ndim == 0 or w.shape[-1] != 3:
                 raise DataError(f"{name} has shape {w.shape}: the last axis must have length 3", "Pass arrays (..., 3)")
-        self.scalar = np.dtype(np.float32 if wi.dtype == wo.dtype == np.float32 else np.float64)
+        single = all(w.dtype.kind == "f" and w.dtype.itemsize == 4 for w in (wi, wo))
+        self.scalar = np.dtype(np.float32 if single else np.float64)
         self.channels = int(model.channels)  # type: ignore[attr-defined]
         self.slots = {slot.name: slot for slot in model.slots()}
         batches = {name: _batch(slot) for name, slot in self.slots.items()}

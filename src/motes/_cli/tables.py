@@ -94,5 +94,6 @@ def _numbers(value: Any, separator: str = ", ") -> str:
         return ""
     values = np.atleast_1d(value)
     if values.size > MOST_CHANNELS:
-        return f"{values.min():.4g} .. {values.max():.4g} in {values.size} channels"
+        low, high = f"{values.min():.4g}", f"{values.max():.4g}"
+        return f"{low if low == high else f'{low} .. {high}'} in {values.size} channels"
     return separator.join(f"{x:.4g}" for x in values)

@@ -236,7 +236,7 @@ class Profile:
         self.joint, self.part, self.index = joint, joint.parts[index], index
         x, jacobian = joint.vectors(c)
         scan = joint.problem.normal(x, joint.scans)
-        scans, size = x.shape
+        scans = len(x)
         own = self.part.quantity.where
         self.values = x[:, own]
         rest = np.concatenate(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,9 @@ from motes.fitting.result import Status, Verdict
 from motes.fitting.solver import minimize
 from motes.fitting.starts import starting_points
 from motes.fitting.uncertainty import uncertainty
+
+
+ROUGH_DIRECTIONS = 300
 
 
 @dataclass(frozen=True)
@@ -28,9 +31,22 @@ class ScanFits:
 
 def single(problem: Problem, scan: int) -> Problem:
     """The problem of one of the scans."""
-    from dataclasses import replace
-
     return replace(problem, values=problem.values[scan], weights=problem.weights[scan])
+
+
+def _part(problem: Problem) -> Problem:
+    """A few hundred directions, drawn evenly: enough to tell valleys apart."""
+    count = max(ROUGH_DIRECTIONS, 20 * problem.size)
+    if len(problem.wi) <= 2 * count:
+        return problem
+    rows = np.sort(np.random.default_rng(20060914).choice(len(problem.wi), count, replace=False))
+    return replace(
+        problem,
+        wi=problem.wi[rows],
+        wo=problem.wo[rows],
+        values=problem.values[:, rows],
+        weights=problem.weights[:, rows],
+    )
 
 
 def fit_scans(problem: Problem, scans: NDArray[np.intp]) -> ScanFits:
@@ -42,8 +58,9 @@ def fit_scans(problem: Problem, scans: NDArray[np.intp]) -> ScanFits:
     looked_at = sorted({int(scans[0]), int(scans[len(scans) // 2]), int(scans[-1])})
     starts = np.concatenate([starting_points(single(problem, t), None, most=3) for t in looked_at])
     lanes = np.repeat(scans, len(starts))
+    part = _part(problem)
     rough = minimize(
-        problem.normal, np.tile(starts, (len(scans), 1)), low, high, sets=lanes, max_iterations=30, reduction=1e-5
+        part.normal, np.tile(starts, (len(scans), 1)), low, high, sets=lanes, max_iterations=25, reduction=1e-5
     )
     by_scan = rough.normal.objective.reshape(len(scans), -1).argmin(axis=1)
     best = rough.x.reshape(len(scans), len(starts), -1)[np.arange(len(scans)), by_scan]

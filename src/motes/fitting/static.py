@@ -7,22 +7,26 @@ import time as clock
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from motes.directions import HALF_PI
-from motes.errors import DataError, MotesError
+from motes.errors import DataError
 from motes.fitting.losses import LOSSES, ROBUST, Floats, loss_named, robust_named
-from motes.fitting.problem import Problem, layout
+from motes.fitting.problem import Problem
 from motes.fitting.result import Fit, FittedParameter, Status, Trial, Verdict
+from motes.fitting.setup import prepare
 from motes.fitting.solver import Solution, minimize
 from motes.fitting.starts import starting_points
 from motes.fitting.uncertainty import uncertainty
 from motes.material import Material
 from motes.measurements import Measurement
-from motes.models import BRDF, describe, parse
+from motes.models import BRDF, describe
+
+if TYPE_CHECKING:
+    from motes.fitting.over_time import TimeFit
 
 #: What ``model="auto"`` compares.
 CANDIDATES = (
@@ -46,10 +50,14 @@ def fit(
     fixed: Collection[str] | Mapping[str, Any] = (),
     per_channel: Collection[str] = (),
     max_theta: float | None = None,
-    time: int = 0,
+    time: int | None = None,
+    trends: str | Mapping[str, str] = "auto",
     progress: Progress | None = None,
-) -> Fit:
+) -> Fit | TimeFit:
     """Fit a model to measured reflectance by bounded least squares.
+
+    A measurement with one time gives a `Fit`.  One with several gives a `TimeFit`: every scan is fitted, and trends of the
+    parameters over all scans together; ``time=`` picks one scan instead.
 
     Parameters
     ----------
@@ -74,13 +82,16 @@ def fit(
         Leave out samples with theta_i or theta_r beyond this [rad]; goniometers are least sure there (Ngan et al. 2005
         stopped at 80 degrees).
     time
-        Which of the measurement's times.
+        Which of the measurement's times to fit alone; None for all of them, with trends.
+    trends
+        For several times: ``"auto"`` chooses the kind of trend of each parameter by BIC; a mapping of names to kinds
+        (`motes.trends.KINDS`) settles those.
     progress
         Called with (done, total, what).
 
     Returns
     -------
-    Fit
+    Fit, or TimeFit for several times
 
     Raises
     ------
@@ -95,12 +106,13 @@ def fit(
             f"a {type(data).__name__} cannot be fitted: it is not a Measurement",
             "motes.read(path) or Measurement.from_arrays makes one",
         )
-    if not 0 <= time < data.n_times:
+    if time is not None and not 0 <= time < data.n_times:
         raise DataError(
             f"time {time} is outside 0..{data.n_times - 1}: the measurement has {data.n_times} time(s)",
             "Choose one with time=",
         )
-    data = data.at(time) if data.n_times > 1 else data
+    if time is not None and data.n_times > 1:
+        data = data.at(time)
     if max_theta is not None:
         if not 0 < max_theta <= HALF_PI:
             raise DataError(
@@ -110,6 +122,20 @@ def fit(
         within = np.minimum(data.wi[:, 2], data.wo[:, 2]) >= math.cos(max_theta)
         data = data.with_mask(within[None, :, None], f"theta beyond {math.degrees(max_theta):.3g} degrees")
     loss_named(loss), robust_named(robust)
+    if data.n_times > 1:
+        from motes.fitting.over_time import fit_over_time
+
+        return fit_over_time(
+            data,
+            model,
+            loss=loss,
+            robust=robust,
+            weights=weights,
+            fixed=fixed,
+            per_channel=per_channel,
+            trends=trends,
+            progress=progress,
+        )
     texts: tuple[str | BRDF, ...] = CANDIDATES if isinstance(model, str) and model.strip() == "auto" else (model,)
     # Candidates are compared on a part of large data; the chosen one is then fitted to all.
     compared, compared_weights = data, weights
@@ -147,33 +173,6 @@ def fit(
     return best.result(tried, started)
 
 
-def _weights(data: Measurement, weights: str | ArrayLike) -> Floats:
-    """Weights (N, C), 0 where masked, with mean 1 over the rest."""
-    mask = data.mask[0]
-    if isinstance(weights, str):
-        if weights not in ("measurement", "uniform"):
-            raise MotesError(f"weights {weights!r} is not 'measurement', 'uniform' or an array")
-        given = data.weights if weights == "measurement" else np.ones(data.n_directions)
-    else:
-        given = np.asarray(weights, float)
-    given = given[:, None] if given.ndim == 1 else given
-    if given.shape not in ((data.n_directions, 1), (data.n_directions, data.n_channels)):
-        expected = f"({data.n_directions},) or ({data.n_directions}, {data.n_channels})"
-        raise DataError(
-            f"weights of shape {np.shape(weights)} do not fit the data", f"Give an array of shape {expected}"
-        )
-    if not (np.isfinite(given).all() and (given >= 0).all()):
-        raise DataError("weights hold a negative or non-finite value", "Weights are 0 or positive")
-    full = np.where(mask, given, 0.0)
-    used = int(np.count_nonzero(full))
-    if used == 0:
-        reasons = ", ".join(f"{count} {reason}" for reason, count in data.masked.items()) or "all weights are 0"
-        raise DataError(
-            f"no sample of {mask.size} is left to fit: {reasons}", "motes info DATA shows what was masked and why"
-        )
-    return full * (used / full.sum())
-
-
 def _even_rows(n: int, count: int) -> NDArray[np.intp]:
     """`count` of `n` rows, drawn evenly; the same each time."""
     return np.sort(np.random.default_rng(19940724).choice(n, min(n, count), replace=False))
@@ -195,44 +194,8 @@ class _Attempt:
         near: Floats | None = None,
     ) -> None:
         self.data, self.loss, self.robust = data, loss, robust
-        start: BRDF | None = None
-        if isinstance(model, BRDF):
-            brdf, held = model, frozenset[str]()
-            start = model
-        else:
-            brdf, held = parse(model)
-        names = [slot.name for slot in brdf.slots()]
-        for name in (*fixed, *per_channel):
-            # auto tries small models too, which need not have every parameter
-            if name not in names and not lenient:
-                raise MotesError(f"{describe(brdf)} has no parameter {name!r}", f"It has {', '.join(names)}")
-        if isinstance(fixed, Mapping):
-            brdf = brdf.with_parameters({name: value for name, value in fixed.items() if name in names})
-        held = held | (frozenset(fixed) & frozenset(names))
-        self.brdf, self.held = brdf, held
-        full = _weights(data, weights)
-        quantities = layout(brdf, data.n_channels, held, per_channel)
-        used: Any = full.any(axis=1)
-        used = slice(None) if used.all() else used  # no copies of large data
-        self.problem = Problem(
-            model=brdf,
-            quantities=quantities,
-            fixed={
-                slot.name: self._held_value(slot.value, slot.parameter.per_channel)
-                for slot in brdf.slots()
-                if slot.name in held
-            },
-            wi=data.wi[used],
-            wo=data.wo[used],
-            values=np.where(full > 0, data.values[0], 0.0)[used],
-            weights=full[used],
-            loss=LOSSES[loss],
-            robust=ROBUST["none"],
-        )
-        if not quantities:
-            raise MotesError(
-                f"every parameter of {describe(brdf)} is held, so there is nothing to fit", "Hold fewer parameters"
-            )
+        brdf, self.held, start, self.problem = prepare(data, model, loss, weights, fixed, per_channel, lenient)
+        self.brdf = brdf
         if self.problem.samples <= self.problem.size:
             raise DataError(
                 f"{self.problem.samples} usable sample(s) cannot determine the {self.problem.size} parameters "
@@ -246,16 +209,6 @@ class _Attempt:
         self.objective = objective
         self.bic = n * math.log(max(2 * objective / n, 1e-300)) + self.problem.size * math.log(n)
         self.predicted = self._predicted()
-
-    def _held_value(self, value: Any, per_channel: bool) -> Any:
-        if np.ndim(value) == 0:
-            return value
-        if per_channel and np.shape(value) in ((self.data.n_channels,), (1,)):
-            return np.asarray(value)[None, None, :]
-        raise DataError(
-            f"a held value of shape {np.shape(value)} does not fit {self.data.n_channels} channels",
-            "Give one value, or one for each channel",
-        )
 
     def _vector(self, start: BRDF) -> Floats | None:
         """The values of a BRDF as a parameter vector; None when their shapes do not fit the data."""

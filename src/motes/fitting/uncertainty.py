@@ -67,7 +67,7 @@ def uncertainty(problem: Problem, x: Floats) -> Uncertainty:
             verdicts[k], stderr[k] = Verdict.UNIDENTIFIABLE, np.nan
         for k in free.tolist():
             if verdicts[k] == Verdict.IDENTIFIED:
-                verdicts[k] = _verdict(declared[k], x[k], stderr[k])
+                verdicts[k] = judged(declared[k], x[k], stderr[k])
         known = np.flatnonzero(np.isfinite(stderr) & (stderr > 0))
         correlations[np.ix_(known, known)] = covariance[np.ix_(known, known)] / np.outer(stderr[known], stderr[known])
     else:
@@ -76,7 +76,7 @@ def uncertainty(problem: Problem, x: Floats) -> Uncertainty:
     return Uncertainty(stderr, correlations, verdicts)
 
 
-def _verdict(parameter: Parameter, value: float, stderr: float) -> Verdict:
+def judged(parameter: Parameter, value: float, stderr: float) -> Verdict:
     """By the size of the standard error against the value, and against the range that real materials span."""
     span = parameter.typical[1] - parameter.typical[0]
     signed = parameter.bounds[0] < 0

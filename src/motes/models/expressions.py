@@ -79,12 +79,18 @@ def parse(text: str) -> Parsed:
     return Parsed(model, frozenset(slot.name for slot in model.slots() if slot.path in fixed))
 
 
+def _quoted(node: ast.AST) -> str:
+    """The part of the text that `node` stands for, of bounded length."""
+    text = ast.unparse(node)
+    return repr(text if len(text) <= 80 else f"{text[:77]}...")
+
+
 def _build(node: ast.AST, path: tuple[str, ...], fixed: set[tuple[str, ...]]) -> Any:
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
         return Sum(_build(node.left, (*path, "a"), fixed), _build(node.right, (*path, "b"), fixed))
     call = node.func if isinstance(node, ast.Call) else node
     if not isinstance(call, ast.Name) or call.id not in MODELS | FRESNEL:
-        raise ParameterError(f"{ast.unparse(node)!r} is not a model", _EXAMPLE)
+        raise ParameterError(f"{_quoted(node)} is not a model", _EXAMPLE)
     cls = (MODELS | FRESNEL)[call.id]
     known = {f.name: f for f in fields(cls)}
     positional = [name for name in known if name in ("base", "dust")]
@@ -92,13 +98,13 @@ def _build(node: ast.AST, path: tuple[str, ...], fixed: set[tuple[str, ...]]) ->
     if isinstance(node, ast.Call):
         if len(node.args) > len(positional):
             raise ParameterError(
-                f"{ast.unparse(node)!r} has a value without a name", f"Write {call.id}({next(iter(known))}=...)"
+                f"{_quoted(node)} has a value without a name", f"Write {call.id}({next(iter(known))}=...)"
             )
         arguments = list(zip(positional, node.args, strict=False)) + [(k.arg or "**", k.value) for k in node.keywords]
         for name, value in arguments:
             if name not in known or name in given:
                 raise ParameterError(
-                    f"{call.id} has no parameter {name!r} (or it is given twice)", f"It has {', '.join(known)}"
+                    f"{call.id} has no parameter {name[:80]!r} (or it is given twice)", f"It has {', '.join(known)}"
                 )
             given[name] = _value(value, known[name], (*path, name), fixed)
     if cls is DustLayer and "base" not in given:
@@ -112,7 +118,7 @@ def _value(node: ast.AST, declared: Any, path: tuple[str, ...], fixed: set[tuple
             value = ast.literal_eval(node)
         except (ValueError, TypeError, SyntaxError, MemoryError, RecursionError):
             raise ParameterError(
-                f"{declared.name} = {ast.unparse(node)!r} is not a number or a list of numbers"
+                f"{declared.name} = {_quoted(node)} is not a number or a list of numbers"
             ) from None
         fixed.add(path)
         return value

@@ -70,8 +70,9 @@ def slice_scale(fit: Fit, all_slices: Sequence[Slices], channels: Sequence[Shown
     low, high = np.percentile(positive, 2), positive.max()
     if high / low > 30:
         return Scale.around([low * 0.7, high], log=True)
-    curves = [np.nanmax(s.samples.fitted[:, index]) for group in all_slices for s in group.panels]
-    return Scale.around([high, min(max(curves), 1.5 * high)], zero=True)
+    fitted = np.concatenate([s.samples.fitted[:, index].ravel() for group in all_slices for s in group.panels])
+    top = float(np.max(fitted, where=np.isfinite(fitted), initial=0.0))
+    return Scale.around([high, min(top, 1.5 * high)], zero=True)
 
 
 def _slice_panel(fit: Fit, part: Slice, channels: Sequence[Shown], value_scale: Scale) -> Html:

@@ -210,6 +210,9 @@ def tried(context: Context) -> Html | None:
         if len(tried) > 1
         else 'One model was asked for, so none was compared; model="auto" compares several.'
     )
+    compared = min(t.n_samples for t in tried)
+    if len(tried) > 1 and compared < context.fit.measurement.mask.sum():
+        note += f" They were compared on {compared:,} samples spread evenly over the data; the chosen one was then fitted to all."
     return join(
         table(("model", "free parameters", "relative RMS", "BIC", "above the best", "status"), rows),
         tag("p", note, class_="note"),

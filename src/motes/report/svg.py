@@ -71,7 +71,9 @@ class Scale:
             return cls(low / pad, high * pad, True)
         if zero:
             low, high = min(low, 0.0), max(high, 0.0)
-        pad = (high - low) * margin or abs(high) * 0.1 or 1.0
+        if low == high == 0:
+            return cls(0.0, 1.0)
+        pad = (high - low) * margin or abs(high) * 0.1
         return cls(low - (0 if zero and low == 0 else pad), high + (0 if zero and high == 0 else pad))
 
     def __call__(self, values: ArrayLike) -> NDArray[np.float64]:

@@ -1,0 +1,112 @@
+"""From a measurement and the user's wishes to a least-squares problem."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from motes.errors import DataError, MotesError
+from motes.fitting.losses import LOSSES, ROBUST, Floats
+from motes.fitting.problem import Problem, layout
+from motes.measurements import Measurement
+from motes.models import BRDF, describe, parse
+
+
+class Setup(NamedTuple):
+    """A model without its data's values, the names that are held, a BRDF to start from if one was given, and the problem."""
+
+    brdf: BRDF
+    held: frozenset[str]
+    start: BRDF | None
+    problem: Problem
+
+
+def prepare(
+    data: Measurement,
+    model: str | BRDF,
+    loss: str,
+    weights: str | ArrayLike,
+    fixed: Collection[str] | Mapping[str, Any],
+    per_channel: frozenset[str],
+    lenient: bool = False,
+) -> Setup:
+    """The problem of fitting `model` to `data`: with values (N, C) for one time, (T, N, C) for several.
+
+    Arguments are those of `motes.fit`; `lenient` lets names pass that the model does not have (candidates of "auto").
+    """
+    brdf, held = (model, frozenset[str]()) if isinstance(model, BRDF) else parse(model)
+    names = [slot.name for slot in brdf.slots()]
+    for name in (*fixed, *per_channel):
+        if name not in names and not lenient:
+            raise MotesError(f"{describe(brdf)} has no parameter {name!r}", f"It has {', '.join(names)}")
+    if isinstance(fixed, Mapping):
+        brdf = brdf.with_parameters({name: value for name, value in fixed.items() if name in names})
+    held = held | (frozenset(fixed) & frozenset(names))
+    quantities = layout(brdf, data.n_channels, held, per_channel)
+    if not quantities:
+        raise MotesError(
+            f"every parameter of {describe(brdf)} is held, so there is nothing to fit", "Hold fewer parameters"
+        )
+    full = sample_weights(data, weights)
+    used: Any = full.any(axis=(0, 2))
+    used = slice(None) if used.all() else used  # no copies of large data
+    values = np.where(full > 0, data.values, 0.0)[:, used]
+    full = full[:, used]
+    single = data.n_times == 1
+    problem = Problem(
+        model=brdf,
+        quantities=quantities,
+        fixed={
+            slot.name: _held_value(slot.value, slot.parameter.per_channel, data.n_channels)
+            for slot in brdf.slots()
+            if slot.name in held
+        },
+        wi=data.wi[used],
+        wo=data.wo[used],
+        values=values[0] if single else values,
+        weights=full[0] if single else full,
+        loss=LOSSES[loss],
+        robust=ROBUST["none"],
+    )
+    return Setup(brdf, held, model if isinstance(model, BRDF) else None, problem)
+
+
+def _held_value(value: Any, per_channel: bool, channels: int) -> Any:
+    if np.ndim(value) == 0:
+        return value
+    if per_channel and np.shape(value) in ((channels,), (1,)):
+        return np.asarray(value)[None, None, :]
+    raise DataError(
+        f"a held value of shape {np.shape(value)} does not fit {channels} channels",
+        "Give one value, or one for each channel",
+    )
+
+
+def sample_weights(data: Measurement, weights: str | ArrayLike) -> Floats:
+    """Weights (T, N, C), 0 where masked, with mean 1 over the rest."""
+    if isinstance(weights, str):
+        if weights not in ("measurement", "uniform"):
+            raise MotesError(f"weights {weights!r} is not 'measurement', 'uniform' or an array")
+        given = data.weights if weights == "measurement" else np.ones(data.n_directions)
+    else:
+        given = np.asarray(weights, float)
+    given = given[:, None] if given.ndim == 1 else given
+    if given.shape not in ((data.n_directions, 1), (data.n_directions, data.n_channels)):
+        expected = f"({data.n_directions},) or ({data.n_directions}, {data.n_channels})"
+        raise DataError(
+            f"weights of shape {np.shape(weights)} do not fit the data", f"Give an array of shape {expected}"
+        )
+    if not (np.isfinite(given).all() and (given >= 0).all()):
+        raise DataError("weights hold a negative or non-finite value", "Weights are 0 or positive")
+    full = np.where(data.mask, given, 0.0)
+    used = int(np.count_nonzero(full))
+    if used == 0:
+        reasons = ", ".join(f"{count} {reason}" for reason, count in data.masked.items()) or "all weights are 0"
+        raise DataError(
+            f"no sample of {data.mask.size} is left to fit: {reasons}", "motes info DATA shows what was masked and why"
+        )
+    full *= used / full.sum()
+    return full
