@@ -25,7 +25,8 @@ HEADER = "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg,grey\n"
 
 
 def motes(*arguments: object, **options: object) -> subprocess.CompletedProcess[str]:
-    environment = {k: v for k, v in os.environ.items() if k != "MOTES_DEBUG"}
+    # Unbuffered output would not fail at the end, where buffered output does.
+    environment = {k: v for k, v in os.environ.items() if k not in ("MOTES_DEBUG", "PYTHONUNBUFFERED")}
     return subprocess.run(  # type: ignore[call-overload, no-any-return]
         [*MOTES, *map(str, arguments)],
         **{"capture_output": True, "text": True, "timeout": SECONDS, "env": environment, **options},

@@ -38,17 +38,20 @@ models = pytest.mark.parametrize("model", CHOSEN.values(), ids=CHOSEN)
 # Errors are relative to the value, or to this where it is smaller [1/sr]: 3 % of a white Lambertian surface.
 FLOOR = 0.01
 # Oren-Nayar with both directions grazing: equation (5) is a difference of numbers near 1, and (1) multiplies it, and
-# 1 - |cos(phi_r - phi_i)|, by tangents of 1 / cos(theta): so many units of rounding over the larger cosine come on top.
-GRAZING = 15
-
-
-def allowance(wi: NDArray[Any], wo: NDArray[Any]) -> NDArray[np.float64]:
-    larger_cosine = np.maximum(np.maximum(wi[:, 2], wo[:, 2]), 1e-4)[:, None]
-    return GRAZING * float(np.finfo(wi.dtype).eps) / larger_cosine
+# 1 - |cos(phi_r - phi_i)|, by tangents of 1 / cos(theta).  So many units of rounding of 1 / pi over the larger cosine come on top.
+GRAZING = 5
 
 
 def errors(found: NDArray[Any], expected: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.abs(found - expected) / np.maximum(np.abs(expected), FLOOR)
+
+
+def close(found: NDArray[Any], expected: NDArray[np.float64], tolerance: float, wi: NDArray[Any], wo: NDArray[Any]) -> bool:
+    larger_cosine = np.maximum(np.maximum(wi[:, 2:], wo[:, 2:]), 1e-4)
+    rounding = GRAZING * float(np.finfo(found.dtype).eps) / larger_cosine
+    size = np.abs(expected)
+    allowed = tolerance * np.maximum(size, FLOOR) + rounding * np.maximum(size, 1 / np.pi)
+    return bool((np.abs(found - expected) <= allowed).all())
 
 
 # ---------------------------------------------------------------- Values
@@ -58,9 +61,9 @@ def errors(found: NDArray[Any], expected: NDArray[np.float64]) -> NDArray[np.flo
 def test_float64_is_numpy_within_1e_12(model: BRDF) -> None:
     for name, (wi, wo) in risky_pairs(4000, 1).items():
         found = engine.evaluate(model, wi, wo)
-        expected = np.broadcast_to(reference(model, wi, wo), found.shape)
+        expected = reference(model, wi, wo)
         assert found.dtype == np.float64
-        assert (errors(found, expected) < 1e-12 + allowance(wi, wo)).all(), name
+        assert close(found, expected, 1e-12, wi, wo), name
         below = (wi[:, 2] <= 0) | (wo[:, 2] <= 0)
         assert (found[below] == 0).all()
 
@@ -72,7 +75,7 @@ def test_float32_is_float64_within_1e_5(model: BRDF) -> None:
         found = engine.evaluate(model, wi, wo)
         expected = reference(model, wi.astype(np.float64), wo.astype(np.float64))
         assert found.dtype == np.float32
-        assert (errors(found, np.broadcast_to(expected, found.shape)) < 1e-5 + allowance(wi, wo)).all(), name
+        assert close(found, expected, 1e-5, wi, wo), name
 
 
 def test_a_million_directions() -> None:
@@ -119,10 +122,10 @@ def test_nan_comes_out_where_numpy_has_it(model: BRDF, scalar: type) -> None:
 
 
 def test_many_channels() -> None:
-    model = BY_NAME["spectral"].model
+    model = OrenNayar(np.linspace(0.1, 0.9, 11), 0.2) + TorranceSparrow(np.linspace(0.5, 0.1, 11), 0.05)
     wi, wo = upper_directions(300, 7), upper_directions(300, 8)
     found = engine.evaluate(model, wi, wo)
-    assert found.shape == (300, 31)
+    assert found.shape == (300, 11)
     assert errors(found, reference(model, wi, wo)).max() < 1e-12
 
 
@@ -375,9 +378,13 @@ def test_gradients_by_parameters_that_vary() -> None:
     gradients = engine.vjp(model, wi, wo, upstream)
     for slot in model.slots():
         assert gradients[slot.name].shape == np.shape(slot.value)
-    each = [engine.vjp(one_of(model, k), wi[k], wo[k], upstream[k]) for k in range(40)]
+    each = []
+    for k in range(40):  # by the kernel of DUSTY, which has a w for each channel
+        one = one_of(model, k)
+        each.append(engine.vjp(one.with_parameters({"w": np.repeat(one.parameters["w"], 3)}), wi[k], wo[k], upstream[k]))
     for slot in model.slots():
         stack = np.stack([one[slot.name] for one in each])
+        stack = stack.sum(-1, keepdims=True) if slot.name == "w" else stack
         expected = stack if np.ndim(slot.value) > slot.parameter.per_channel else stack.sum(0)
         np.testing.assert_allclose(gradients[slot.name], expected.reshape(np.shape(slot.value)), rtol=1e-10, atol=1e-13)
 

@@ -212,6 +212,8 @@ class Problem:
     def _mapped(self, work, batch: int):
         """`work` on slices of the directions, in their order, on all processors when there is much to do."""
         step = max(64, CHUNK // max(1, batch * self.channels))
+        if batch * self.channels * len(self.wi) >= CHUNK // 4:  # worth sharing; the same slices on any machine
+            step = min(step, -(-len(self.wi) // 4))
         slices = [slice(k, min(k + step, len(self.wi))) for k in range(0, len(self.wi), step)]
         if len(slices) < 4 or (os.cpu_count() or 1) < 2:
             return [work(rows) for rows in slices]

@@ -1,8 +1,8 @@
 """Levenberg-Marquardt with box bounds, on many parameter vectors at once.
 
 All starts of a fit advance together: their normal equations come from one pass over the data, and those that have
-converged leave the batch. A parameter at a bound whose gradient points outwards is held for the step; steps are cut off
-at the bounds; damping follows Nielsen (1999), with the diagonal of the normal matrix as the scale (Marquardt), so that
+converged leave the batch. A parameter at a bound whose gradient points outwards is held for the step; what a
+step would carry past a bound stops there, and the others are solved for again; damping follows Nielsen (1999), with the diagonal of the normal matrix as the scale (Marquardt), so that
 units do not matter."""
 
 from __future__ import annotations
@@ -16,6 +16,10 @@ from numpy.typing import NDArray
 from motes.fitting.losses import Floats
 from motes.fitting.problem import Normal
 from motes.fitting.result import Status
+
+# A parameter that, moved by its own size, changes the squared residuals by less than this share of the objective stays
+# where it is for a step: its derivative is noise, and a step along it would spoil the steps of the others.
+BLIND = 1e-14
 
 
 @dataclass
@@ -77,9 +81,9 @@ def minimize(
             if not len(running):
                 break
             xs, gs, hs = x[running], gradient[running], matrix[running]
-            stuck = held | ((xs <= low) & (gs > 0)) | ((xs >= high) & (gs < 0))
-            direction = _step(hs, gs, damping[running], stuck)
-            moved = np.clip(xs + direction, low, high)
+            blind = np.einsum("bpp->bp", hs) * np.maximum(np.abs(xs), 1e-3) ** 2 <= BLIND * objective[running][:, None]
+            stuck = held | blind | ((xs <= low) & (gs > 0)) | ((xs >= high) & (gs < 0))
+            moved = np.clip(xs + _bounded_step(hs, gs, damping[running], stuck, low - xs, high - xs), low, high)
             delta = moved - xs
             promised = -np.einsum("bp,bp->b", gs, delta) - 0.5 * np.einsum("bp,bpq,bq->b", delta, hs, delta)
             small = np.abs(delta) <= step * (np.abs(xs) + step)
@@ -110,6 +114,21 @@ def minimize(
             damping[running] = np.maximum(damping[running], 1e-12)
             growth[running] = np.where(better, 2.0, 2 * growth[running])
     return Solution(x, Normal(objective, gradient, matrix), status, iterations)
+
+
+def _bounded_step(
+    matrix: Floats, gradient: Floats, damping: Floats, stuck: NDArray[np.bool_], low: Floats, high: Floats
+) -> Floats:
+    """A step (B, P) within [low, high]: what would leave stops at its bound, and the others are solved for again."""
+    step = np.zeros_like(gradient)
+    for _ in range(3):
+        against = gradient + np.einsum("bpq,bq->bp", matrix, np.where(stuck, step, 0.0))
+        step = np.where(stuck, step, _step(matrix, against, damping, stuck))
+        leaves = ~stuck & ((step < low) | (step > high))
+        step, stuck = np.clip(step, low, high), stuck | leaves
+        if not leaves.any():
+            break
+    return step
 
 
 def _step(matrix: Floats, gradient: Floats, damping: Floats, stuck: NDArray[np.bool_]) -> Floats:

@@ -100,9 +100,11 @@ def residual_figure(samples: Samples) -> Html:
     Differences as a share of RMS(measured); where the measurement spans decades, in which case the highlight takes that scale for itself, ratios too.
     """
     samples = samples.thinned(MOST_CELLS)
-    samples = samples.take(np.isfinite(samples.measured + samples.fitted).any(1))
+    samples = samples.take(np.flatnonzero(np.isfinite(samples.measured + samples.fitted).any(1)))
     if not len(samples):
-        return tag("p", "No sample has both a measured and a fitted value: there is no residual to draw.", class_="note")
+        return tag(
+            "p", "No sample has both a measured and a fitted value: there is no residual to draw.", class_="note"
+        )
     usable = np.isfinite(samples.measured) & np.isfinite(samples.fitted)
     rms = float(np.sqrt(np.mean(samples.measured[usable] ** 2))) or 1.0
     mean = np.nansum(np.where(usable, samples.fitted - samples.measured, 0), axis=1) / np.maximum(usable.sum(1), 1)

@@ -73,7 +73,7 @@ class Samples:
         """At most so many samples, the same ones every time, drawn evenly (seed 0)."""
         if len(self) <= most:
             return self
-        return self.take(np.sort(np.random.default_rng().choice(len(self), most, replace=False)))
+        return self.take(np.sort(np.random.default_rng(0).choice(len(self), most, replace=False)))
 
     @property
     def ratio(self) -> Floats:
