@@ -151,7 +151,7 @@ class TimeFit:
         return save_time_fit(self, folder)
 
     def report(self, path: str | os.PathLike[str]) -> Path:
-        """Write a self-contained HTML report (the extra ``report``); returns its path."""
+        """Write a self-contained HTML report; returns its path."""
         from motes.report import write_time_report
 
         return write_time_report(self, path)

@@ -175,7 +175,7 @@ class Fit:
         return save_fit(self, folder)
 
     def report(self, path: str | os.PathLike[str]) -> Path:
-        """Write a self-contained HTML report (the extra ``report``); returns its path."""
+        """Write a self-contained HTML report; returns its path."""
         from motes.report import write_report
 
         return write_report(self, path)

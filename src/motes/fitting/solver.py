@@ -1,9 +1,9 @@
 """Levenberg-Marquardt with box bounds, on many parameter vectors at once.
 
 All starts of a fit advance together: their normal equations come from one pass over the data, and those that have
-converged leave the batch. A parameter at a bound whose gradient points outwards is held for the step; what a
-step would carry past a bound stops there, and the others are solved for again; damping follows Nielsen (1999), with the diagonal of the normal matrix as the scale (Marquardt), so that
-units do not matter."""
+converged leave the batch. A parameter at a bound whose gradient points outwards is held for the step; one that a step
+would carry past a bound stops there, and the others are solved for again; damping follows Nielsen (1999), with the
+diagonal of the normal matrix as the scale (Marquardt), so that units do not matter."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from motes.fitting.result import Status
 
 # A parameter that, moved by its own size, changes the squared residuals by less than this share of the objective stays
 # where it is for a step: its derivative is noise, and a step along it would spoil the steps of the others.
-BLIND = 1e-14
+BLIND = 1e-18
 
 
 @dataclass
