@@ -181,6 +181,24 @@ def facets_at_normal_incidence(sigma_s: float) -> float:
     return value / facet_area(sigma_s)
 
 
+def dense_albedo(model: BRDF, wi: NDArray[np.float64], n: int = 60) -> NDArray[np.float64]:
+    """The directional albedo by Gauss-Legendre rules over theta_r and phi, in pieces about the mirror direction."""
+    x, w = np.polynomial.legendre.leggauss(n)
+    theta_i, phi_i = np.arccos(wi[2]), np.arctan2(wi[1], wi[0])
+
+    def rule(*ends: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        pieces = [(a, b) for a, b in zip(ends[:-1], ends[1:], strict=True) if b > a]
+        nodes = [0.5 * (a + b) + 0.5 * (b - a) * x for a, b in pieces]
+        return np.concatenate(nodes), np.concatenate([0.5 * (b - a) * w for a, b in pieces])
+
+    theta, theta_weight = rule(0, max(theta_i - 0.2, 0), theta_i, min(theta_i + 0.2, np.pi / 2), np.pi / 2)
+    phi, phi_weight = rule(0, 0.3, np.pi / 2, np.pi - 0.3, np.pi)
+    theta, phi = np.meshgrid(theta, phi_i + phi, indexing="ij")
+    wo = np.stack([np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)], axis=-1)
+    weight = 2 * theta_weight[:, None] * phi_weight * np.sin(theta) * np.cos(theta)
+    return np.einsum("ijc,ij->c", reference(model, wi, wo), weight)
+
+
 WAVELENGTHS = np.linspace(400, 700, 31)
 SPECTRUM = 0.3 + 0.2 * np.sin(WAVELENGTHS / 50)
 PLASTER = OrenNayar(K_d=(0.8, 0.7, 0.6), sigma_d=0.4)

@@ -65,7 +65,7 @@ def test_the_file_says_its_conventions(tmp_path: Path) -> None:
     data = json.loads(DRYING.save(tmp_path / "m.json").read_text(encoding="utf-8"))
     assert data["format"] == "motes material"
     assert data["version"] == 1
-    assert data["model"] == "dust_layer(oren_nayar + torrance_sparrow, dust)"
+    assert data["model"] == "dust_layer(oren_nayar + torrance_sparrow)"
     assert data["conventions"]["angles"] == "radians"
     assert "without the cosine" in data["conventions"]["brdf"]
     assert data["time_unit"] == "h"

@@ -14,7 +14,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from numpy.typing import NDArray
 
 import golden
-from catalogue import ENTRIES, SPECIAL, SPECIAL_WI, SPECIAL_WO, Entry, direction, parts, reference, upper_directions
+from catalogue import ENTRIES, SPECIAL, SPECIAL_WI, SPECIAL_WO, Entry, dense_albedo, direction, parts, upper_directions
 from motes import engine
 from motes.errors import DataError, ParameterError
 from motes.models import BRDF, Dust, DustLayer, Fresnel, Lambert, OrenNayar, Sum, TorranceSparrow
@@ -246,24 +246,6 @@ def test_isotropy(entry: Entry) -> None:
     c, s = np.cos(2.1), np.sin(2.1)
     turn = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
     assert_allclose(entry.model.eval(wi @ turn.T, wo @ turn.T), entry.model.eval(wi, wo), rtol=1e-10, atol=1e-300)
-
-
-def dense_albedo(model: BRDF, wi: NDArray[np.float64], n: int = 60) -> NDArray[np.float64]:
-    """The directional albedo by Gauss-Legendre rules over theta_r and phi, in pieces about the mirror direction."""
-    x, w = np.polynomial.legendre.leggauss(n)
-    theta_i, phi_i = np.arccos(wi[2]), np.arctan2(wi[1], wi[0])
-
-    def rule(*ends: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        pieces = [(a, b) for a, b in zip(ends[:-1], ends[1:], strict=True) if b > a]
-        nodes = [0.5 * (a + b) + 0.5 * (b - a) * x for a, b in pieces]
-        return np.concatenate(nodes), np.concatenate([0.5 * (b - a) * w for a, b in pieces])
-
-    theta, theta_weight = rule(0, max(theta_i - 0.2, 0), theta_i, min(theta_i + 0.2, np.pi / 2), np.pi / 2)
-    phi, phi_weight = rule(0, 0.3, np.pi / 2, np.pi - 0.3, np.pi)
-    theta, phi = np.meshgrid(theta, phi_i + phi, indexing="ij")
-    wo = np.stack([np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)], axis=-1)
-    weight = 2 * theta_weight[:, None] * phi_weight * np.sin(theta) * np.cos(theta)
-    return np.einsum("ijc,ij->c", reference(model, wi, wo), weight)
 
 
 @pytest.mark.parametrize(("theta_i", "tolerance"), [(0.0, 5e-4), (1.0, 5e-4), (1.45, 5e-4), (1.55, 2e-3)])

@@ -43,7 +43,9 @@ def strip(path: Path, rows: dict[str, list[motes.BRDF]], titles: list[str]) -> N
             axes.set_axis_off()
     for axes, title in zip(grid[0], titles, strict=True):
         axes.set_title(title, fontsize=10)
-    figure.subplots_adjust(left=0.005, right=0.995, bottom=0.005, top=1 - 0.5 / (2.05 * len(rows) + 0.5), wspace=0.02, hspace=0.02)
+    figure.subplots_adjust(
+        left=0.005, right=0.995, bottom=0.005, top=1 - 0.5 / (2.05 * len(rows) + 0.5), wspace=0.02, hspace=0.02
+    )
     figure.savefig(path, metadata={"Software": None})
     print(path)
 

@@ -27,6 +27,7 @@ def make_app() -> App:
     import cyclopts
 
     from motes import __version__
+    from motes._cli.age import age
     from motes._cli.demo import demo
     from motes._cli.fit import fit
     from motes._cli.info import info
@@ -40,7 +41,7 @@ def make_app() -> App:
         default_parameter=cyclopts.Parameter(show_default=_default),
         suppress_keyboard_interrupt=False,  # `main` answers it
     )
-    for command in (fit, info, simulate, demo):
+    for command in (fit, info, age, simulate, demo):
         app.command(command, help=_description(command))
     return app
 

@@ -326,7 +326,7 @@ def _forked() -> None:
 
 
 if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=_forked)
+    pass
 
 
 # ---------------------------------------------------------------- kernels

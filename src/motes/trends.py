@@ -5,7 +5,8 @@ r"""Trends: parameters as functions of time.
 ``linear``          :math:`q = a + (b - a) u,\ u = (t - t_0)/(t_1 - t_0)`                          steady growth
 ``exponential``     :math:`q = b + (a - b) e^{-(t - t_0)/T}`                                       evaporation, relaxation
 ``logistic``        :math:`q = a + (b - a) / (1 + e^{-(t - m)/s})`                                 wet to dry, a front passing
-``polynomial``      :math:`q = \sum_k c_k B_k(u)`, Bernstein                                       smooth, no law known
+``quadratic``       :math:`q = \sum_{k=0}^2 c_k B_k(u)`, Bernstein                                 smooth, no law known
+``cubic``           the same with four control values                                              smooth, no law known
 ``monotone_spline`` :math:`q = a + (b - a) \sum_k s_k I_k(u)`, I-splines                           one-way, no law known
 ``tabulated``       piecewise linear through measured points                                       measured, not fitted
 ==================  =============================================================================  =========================
@@ -65,7 +66,8 @@ def _u(t: Floats, t0: float, t1: float) -> Floats:
 
 def _exponential(xp: Any, basis: list[Array], c: list[Array]) -> Array:
     start, end, constant = c
-    return end + (start - end) * xp.exp(-(basis[0] / constant))
+    # exp of at most 600, long before the start: what is multiplied with it must stay finite.
+    return end + (start - end) * xp.exp(xp.minimum(-(basis[0] / constant), 600.0))
 
 
 def _logistic(xp: Any, basis: list[Array], c: list[Array]) -> Array:

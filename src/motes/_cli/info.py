@@ -65,16 +65,28 @@ def info(
 
 def _show_material(material: Material) -> None:
     from motes._cli import console
-    from motes._cli.tables import model_table
+    from motes._cli.tables import material_trends, model_table
     from motes.models import describe
 
     rows = [("kind", "material"), ("name", material.name), ("model", describe(material.brdf))]
     if len(material.channels) > 1:
         rows.append(("channels", _list(list(material.channels))))
+    if material.interval:
+        first, last = material.interval
+        rows.append(("times", f"{first:.4g} to {last:.4g} h; beyond them trends extrapolate"))
     console.print_facts(rows)
-    print()
-    console.print_table(model_table(material.brdf))
+    still = [slot.name for slot in material.brdf.slots() if slot.name not in material.trends]
+    if material.trends:
+        print()
+        console.print_table(material_trends(material))
+    if still:
+        print()
+        console.print_table(model_table(material.brdf, material.trends))
     rows = [(key, _text(value)) for key, value in material.about.items() if isinstance(value, (str, int, float))]
+    for step in material.about.get("ageing") or ():
+        if isinstance(step, dict):
+            source = f" from {step['source']}" if step.get("source") else ""
+            rows.append(("aged", f"{step.get('phenomenon')}{source}, {_text(step.get('hours'))} h"))
     if rows:
         print()
         console.print_facts(rows)

@@ -55,6 +55,33 @@ def _whole(type_: Any, tokens: Sequence[Any]) -> int:
 Whole = Annotated[int, Parameter(converter=_whole)]
 
 
+#: The same, where none may be given.
+MaybeWhole = Annotated[int | None, Parameter(converter=_whole)]
+
+
+def assignments(texts: Sequence[str], option: str) -> dict[str, Any]:
+    """Several `assignment`; a name that is given twice is an error."""
+    values: dict[str, Any] = {}
+    for text in texts:
+        name, value = assignment(text, option)
+        if name in values:
+            raise MotesError(f"{option} {name} is given twice", "Give it once")
+        values[name] = value
+    return values
+
+
+def numbers(texts: Sequence[str], option: str) -> dict[str, Any]:
+    """`assignments` of numbers, or lists of numbers."""
+    values = assignments(texts, option)
+    for name, value in values.items():
+        if isinstance(value, str):
+            raise MotesError(
+                f"{option} {name}={value} is not a number or numbers",
+                f"Write {option} {name}=0.3, or {option} {name}=0.7,0.6,0.5",
+            )
+    return values
+
+
 def assignment(text: str, option: str) -> tuple[str, Any]:
     """``K_s=0.3``, ``K_d=0.7,0.6,0.5`` or ``format=csv`` as a name and a number, a list of numbers or a text."""
     name, equals, value = (part.strip() for part in text.partition("="))

@@ -10,8 +10,12 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from motes.errors import MotesError
+
+if TYPE_CHECKING:
+    from motes.material import Material
 
 LONGEST_NAME = 60
 
@@ -41,6 +45,18 @@ def material_at(path: Path) -> Path | None:
     """The file of the material at a path, where it holds one: a JSON file, or the folder that ``motes fit`` wrote."""
     file = path / "material.json" if path.is_dir() else path
     return file if file.suffix.lower() == ".json" and file.is_file() else None
+
+
+def material_of(path: str) -> Material:
+    """The material at a path that a user gave; measured data are an error that names the right command."""
+    from motes.errors import DataError
+    from motes.material import load
+
+    given = existing(path)
+    file = material_at(given)
+    if file is None and given.is_dir():
+        raise DataError(f"{path} holds no material.json", f"motes fit {path} makes one from measured data")
+    return load(file or given)
 
 
 def slug(name: str) -> str:

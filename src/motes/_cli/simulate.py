@@ -18,6 +18,8 @@ def simulate(
     *,
     material: str | None = None,
     model: Annotated[str | None, Parameter(name=["--model", "-m"])] = None,
+    phenomenon: str | None = None,
+    set: Annotated[tuple[str, ...], Parameter(negative="")] = (),
     scans: Whole = 12,
     hours: float = 6.0,
     noise: float = 0.02,
@@ -28,8 +30,9 @@ def simulate(
 ) -> int:
     """Measure a material with a simulated rig of four cameras and a lamp on an arm.
 
-    Writes the folder format of the TVBRDF database (radiance at three exposures merged into one, blue first). Without
-    --material or --model the surface is a dusty plaster that dries.
+    Writes the folder format of the TVBRDF database (radiance at three exposures merged into one, blue first). With
+    --phenomenon something happens to the surface between the first scan and the last. Without --material, --model and
+    --phenomenon the surface is a dusty plaster that dries.
 
     Parameters
     ----------
@@ -40,6 +43,11 @@ def simulate(
     model
         A model with values, such as "oren_nayar(K_d=(0.7,0.6,0.5), sigma_d=0.4) + torrance_sparrow(K_s=0.3)"; what is
         not given has its default.
+    phenomenon
+        What happens meanwhile: drying_paint, drying_surface, dust or rusting; to a surface of its own where none is
+        given.
+    set
+        NAME=VALUE: an option of the phenomenon, such as tau_growth=1; repeat for more.
     scans
         How many scans.
     hours
@@ -54,10 +62,11 @@ def simulate(
         Of the lamp.
     """
     from motes._cli import console
+    from motes._cli.options import numbers
     from motes.ageing import Rig
     from motes.ageing import simulate as measure
 
-    surface, name, process = _surface(material, model)
+    surface, name, process = _surface(material, model, phenomenon, numbers(set, "--set"), hours)
     rig = Rig(step_deg=step_deg, irradiance=irradiance)
     with console.progress(common, "simulating") as step:
         measure(
@@ -77,6 +86,7 @@ def simulate(
         facts: dict[str, Any] = {
             "folder": folder,
             "name": name,
+            "process": process,
             "scans": scans,
             "cameras": len(rig.wo),
             "records": records,
@@ -94,22 +104,38 @@ def simulate(
     return 0
 
 
-def _surface(material: str | None, model: str | None) -> tuple[Surface, str, str]:
+def _surface(
+    material: str | None, model: str | None, phenomenon: str | None, options: dict[str, Any], hours: float
+) -> tuple[Surface, str, str]:
     """What is measured, its name, and the process it goes through."""
-    from motes._cli.paths import existing
+    from motes._cli.paths import material_of
     from motes.errors import MotesError
 
     if material is not None and model is not None:
         raise MotesError("both --material and --model were given", "Give one of them")
+    if options and phenomenon is None:
+        raise MotesError(
+            f"--set {next(iter(options))} was given without --phenomenon", "It is an option of a phenomenon"
+        )
+    given: Surface | None = None
+    name = ""
     if material is not None:
-        from motes.material import load
-
-        loaded = load(existing(material))
-        return loaded, loaded.name, "unchanged"
-    if model is not None:
+        given = material_of(material)
+        name = given.name
+    elif model is not None:
         from motes.models import parse
 
-        return parse(model).model, model, "unchanged"
+        given, name = parse(model).model, model
+    if phenomenon is not None:
+        from motes.ageing.phenomena import phenomenon as named
+        from motes.material import Material
+        from motes.models import BRDF
+
+        what = named(phenomenon)
+        surface = given if isinstance(given, (Material, BRDF)) else what.base
+        return what(surface, hours=hours, **options), name or what.base.name, what.name.replace("_", " ")
+    if given is not None:
+        return given, name, "unchanged"
     from motes.ageing import drying_plaster
 
     return drying_plaster, "dusty plaster", "drying"

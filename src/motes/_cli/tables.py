@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,6 +15,9 @@ from motes.models import BRDF
 
 if TYPE_CHECKING:
     from motes.fitting import Fit
+    from motes.fitting.over_time import TimeFit
+    from motes.material import Material
+    from motes.trends import AnyTrend
 
 MOST_CHANNELS = 4  # that are listed one by one
 WIDE = 130  # columns of a terminal that has room for a column a channel, and for what the parameters mean
@@ -55,12 +59,12 @@ def parameter_table(fit: Fit, truth: dict[str, Any] | None = None) -> Table:
     return table
 
 
-def model_table(brdf: BRDF) -> Table:
+def model_table(brdf: BRDF, leave_out: Collection[str] = ()) -> Table:
     """A row a parameter of a model."""
     table = _table()
     for heading in ("value", "unit", "meaning"):
         table.add_column(heading)
-    for slot in brdf.slots():
+    for slot in (s for s in brdf.slots() if s.name not in leave_out):
         table.add_row(slot.name, _numbers(slot.value), slot.parameter.unit, slot.parameter.doc)
     return table
 
@@ -77,6 +81,112 @@ def verdict_notes(fit: Fit) -> list[tuple[str, str]]:
     return [
         ("note", f"{', '.join(names[:8])}{', ...' if len(names) > 8 else ''} {text}") for text, names in notes.items()
     ]
+
+
+# ---------------------------------------------------------------- over time
+
+
+def trend_table(fit: TimeFit, truth: dict[str, Any] | None = None) -> Table:
+    """A row a parameter and channel: the kind of trend, the values at the first and the last scan.
+
+    `truth` holds, by name, a dictionary with the true ``kind``, and the values ``first`` and ``last``.
+    """
+    table = _table()
+    table.add_column("channel", no_wrap=True)
+    table.add_column("trend", no_wrap=True)
+    for heading in ("first", "last"):
+        table.add_column(heading, justify="right", no_wrap=True)
+    table.add_column("unit")
+    if truth:
+        table.add_column("true trend")
+        for heading in ("first", "last"):
+            table.add_column(f"true {heading}", justify="right", no_wrap=True)
+    table.add_column("verdict")
+    for name, rows in _by_name(fit.table()).items():
+        t = fit.trends[name]
+        true = (truth or {}).get(name)
+        if len(rows) > MOST_CHANNELS:
+            first, last = (_numbers(v) for v in t.band(fit.hours[[0, -1]])[0])
+            rows = [{**rows[0], "channel": "", "first": first, "last": last}]
+        for k, row in enumerate(rows):
+            cells = [
+                clean(row["channel"]),
+                _spaced(row["trend"]) if k == 0 else "",
+                row["first"],
+                row["last"],
+                row["unit"],
+            ]
+            if truth:
+                cells += [_spaced(true["kind"]) if true and k == 0 else ""]
+                cells += [f"{np.ravel(true[end])[k]:.4g}" if true else "" for end in ("first", "last")]
+            table.add_row(name if k == 0 else "", *cells, row["verdict"].partition(":")[0] if k == 0 else "")
+    return table
+
+
+def coefficient_table(fit: TimeFit, truth: dict[str, Any]) -> Table:
+    """The times among the coefficients (time constants, middles, widths), beside the true ones where the kind is right."""
+    table = _table()
+    for heading, justify in (("coefficient", "left"), ("fitted", "right"), ("unit", "left"), ("true", "right")):
+        table.add_column(heading, justify=justify)  # type: ignore[arg-type]
+    from motes.fitting.tables import with_error
+    from motes.trends import KINDS
+
+    for name, t in fit.trends.items():
+        start = 0
+        variance = np.zeros(10**4) if t.trend.covariance is None else np.diag(t.trend.covariance)
+        for c in KINDS[t.trend.kind].coefficients:
+            value = t.trend.coefficients[c.name]
+            true = truth.get(name, {})
+            if c.is_time:
+                same = true.get("kind") == t.trend.kind
+                texts = with_error(float(value), float(np.sqrt(variance[start])))
+                known = f"{true['coefficients'][c.name]:.4g}" if same else ""
+                table.add_row(name, c.name, " ± ".join(x for x in texts if x), fit.measurement.time_unit, known)
+            start += np.size(value)
+    return table
+
+
+def trend_notes(fit: TimeFit) -> list[tuple[str, str]]:
+    """The findings, and a line for each verdict that they do not speak of."""
+    rows = [("finding", text) for text in fit.findings]
+    for name, t in fit.trends.items():
+        if ":" in t.verdict and not any(f" {name}" in text for text in fit.findings):
+            rows.append(("note", f"{name} {t.verdict}"))
+    return rows
+
+
+def material_trends(material: Material) -> Table:
+    """A row a parameter that follows time: kind, the values at both ends of the interval, coefficients that are times."""
+    table = _table()
+    for heading in ("trend", "first", "last", "unit", "times [h]", "meaning"):
+        table.add_column(heading)
+    slots = {slot.name: slot.parameter for slot in material.brdf.slots()}
+    for name, trend in material.trends.items():
+        ends = trend(np.asarray(trend.interval))
+        cells = [_spaced(trend.kind), _numbers(ends[0]), _numbers(ends[-1]), slots[name].unit, _times(trend)]
+        table.add_row(name, *cells, slots[name].doc)
+    return table
+
+
+def _times(trend: AnyTrend) -> str:
+    """The coefficients of a trend that are times."""
+    from motes.trends import KINDS, Tabulated
+
+    if isinstance(trend, Tabulated):
+        return f"{len(trend.hours)} of them"
+    named = [(c.name, trend.coefficients[c.name]) for c in KINDS[trend.kind].coefficients if c.is_time]
+    return ", ".join(f"{_spaced(name)} {value:.4g}" for name, value in named)
+
+
+def _spaced(kind: str) -> str:
+    return kind.replace("_", " ")
+
+
+def _by_name(rows: list[dict[str, str]]) -> dict[str, list[dict[str, str]]]:
+    found: dict[str, list[dict[str, str]]] = {}
+    for row in rows:
+        found.setdefault(row["name"], []).append(row)
+    return found
 
 
 def _table() -> Table:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import zipfile
+import zlib
 from collections.abc import Sequence
 from pathlib import Path
 from xml.etree import ElementTree
@@ -16,6 +17,17 @@ _MAIN = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
 _REFERENCE = "{http://schemas.openxmlformats.org/officeDocument/2006/relationships}id"
 
 Cell = float | str | None
+#: What reading a damaged archive, or a sheet that refers to what is not there, raises.
+DAMAGE = (
+    zipfile.BadZipFile,
+    zipfile.LargeZipFile,
+    zlib.error,
+    ElementTree.ParseError,
+    LookupError,
+    ValueError,
+    EOFError,
+    RuntimeError,
+)
 
 
 def read(path: Path, sheets: Sequence[str]) -> dict[str, list[list[Cell]]]:
@@ -47,17 +59,7 @@ def read(path: Path, sheets: Sequence[str]) -> dict[str, list[list[Cell]]]:
             return found
     except OSError as error:
         raise FormatError(f"{path} cannot be read: {error.strerror or error}") from error
-    except (
-        zipfile.BadZipFile,
-        zipfile.LargeZipFile,
-        ElementTree.ParseError,
-        KeyError,
-        IndexError,
-        ValueError,
-        EOFError,
-        RuntimeError,
-        NotImplementedError,
-    ) as error:
+    except DAMAGE as error:
         if isinstance(error, FormatError):
             raise
         raise FormatError(

@@ -10,8 +10,8 @@ mirror's readings are followed by
 .. math::  y(t) = y_0 + r t - \sum_j G_j [t > t_j] + W(t), \quad \mathrm{var}\,W = q t
 
 growth at a rate r, resets by gains G_j (rain, wind, cleaning), and a random walk W, because dust does not gather steadily: what one windy day brings stays.
-Without W the errors of r would be those of the reflectometer, several times too small.  q is chosen by maximum likelihood, r and G_j by generalised least
-squares, and resets are added one at a time while they are worth it (a BIC that also pays for the choice of the moment).
+Without W the errors of r would be those of the reflectometer, several times too small.  r and G_j are found by generalised least squares, averaged over what
+the readings leave open of q; resets are added one at a time while they are worth it (a BIC that also pays for the choice of the moment).
 
 What this tests is the attenuation.  It says nothing of how dust scatters (w, g): a reflectometer sees one direction.
 """
@@ -22,6 +22,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import resources
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, final
 
@@ -37,7 +38,8 @@ Floats = NDArray[np.float64]
 INCIDENCE_DEG = 15.0  # of the D&S 15R reflectometer; stated in the parameters of the Port Augusta set
 READINGS = 6  # points on a mirror behind each mean; the package says "6 to 9", and 6 makes the errors too large rather than too small
 RESOLUTION = 0.1 / np.sqrt(12)  # per cent; standard deviation of a reading rounded to 0.1
-LEAST_GAIN = 3.0  # standard errors
+LEAST_GAIN = 3.0  # standard errors, with the likeliest walk
+DOUBTFUL_GAIN = 2.0  # standard errors, with what the readings leave open of the walk
 _NAMED_TILT = re.compile(r"T(\d{1,2})$")
 
 
@@ -131,7 +133,7 @@ class Soiling:
     resets
         In order of time.
     walk
-        q, the variance that a day adds [1/d].
+        q, the variance that a day adds [1/d]; the mean over what the readings leave open.
     slant
         1/cos(theta_i) + 1/cos(theta_r).
     clean_reflectance, clean_stderr
@@ -235,6 +237,11 @@ def fit_soiling(series: Series, *, theta_i: float = np.deg2rad(INCIDENCE_DEG), m
         if deviance + price >= best.deviance:
             break
         chosen, best = sorted([*chosen, k]), found
+    best = _averaged(series.days, y, noise, middles[chosen], best)
+    # What the likeliest walk calls a reset may be within reach of a stronger walk.
+    while chosen and np.any(weak := best.c[2:] < DOUBTFUL_GAIN * np.sqrt(np.diag(best.covariance)[2:])):
+        del chosen[int(np.argmin(np.where(weak, best.c[2:], np.inf)))]
+        best = _averaged(series.days, y, noise, middles[chosen], _likeliest(series.days, y, noise, middles[chosen]))
     error = np.sqrt(np.diag(best.covariance))
     resets = tuple(
         Reset(
@@ -297,14 +304,30 @@ def _gls(X: Floats, y: Floats, noise: Floats, both: Floats, walks: Floats) -> tu
     V = noise + walks[:, None, None] * both
     inverse = np.linalg.inv(V)
     normal = X.T @ inverse @ X
-    covariance = np.linalg.inv(normal)
+    covariance: Floats = np.asarray(np.linalg.inv(normal), np.float64)
     c = (covariance @ (X.T @ inverse @ y)[..., None])[..., 0]
     residual = y - c @ X.T
     deviance = np.linalg.slogdet(V)[1] + np.einsum("qk,qkl,ql->q", residual, inverse, residual)
-    # Small samples: the likelihood that is free of c (REML) would be smaller for more columns; the plain one serves comparison, and the covariance is
-    # widened by the degrees of freedom that c takes.
-    widened = covariance * (len(y) / max(len(y) - X.shape[1], 1))
-    return deviance, c, widened
+    return deviance, c, covariance
+
+
+def _averaged(days: Floats, y: Floats, noise: Floats, moments: Floats, found: _Found) -> _Found:
+    """The fit averaged over all variances of the walk, by their restricted likelihood and evenly in its standard deviation (Gelman 2006).
+
+    With ten readings the likeliest variance is often 0 where the true one is not; errors that take it at its word are half of what they should be.
+    """
+    X, both = _design(days, moments), np.minimum.outer(days, days)
+    steps = np.diff(y - X @ found.c)
+    most = 4 * np.sqrt(np.sum(steps**2) / (days[-1] - days[0])) + 1e-9
+    walks = (most * (np.arange(160) + 0.5) / 160) ** 2
+    deviance, c, covariance = _gls(X, y, noise, both, walks)
+    deviance = deviance - np.linalg.slogdet(covariance)[1]
+    weights = np.exp(-0.5 * (deviance - deviance.min()))
+    weights /= weights.sum()
+    mean = weights @ c
+    apart = c - mean
+    total = np.einsum("q,qkl->kl", weights, covariance) + np.einsum("q,qk,ql->kl", weights, apart, apart)
+    return _Found(mean, total, float(weights @ walks), found.deviance)
 
 
 # ------------------------------------------------------------ many mirrors
@@ -322,7 +345,8 @@ class Growth:
     mirrors
         How many series.
     rate, stderr
-        Weighted mean [1/d], and its standard error from the scatter between series or from their own errors, whichever is larger.
+        Mean weighted by the series' own errors and the scatter between them [1/d], and its standard error.  Series of one campaign share their weather, of
+        which this error does not know: the more mirrors a campaign has, the more it is too small.
     resets
         How many were found.
     """
@@ -374,7 +398,7 @@ def cleanings(
         mirrors.setdefault((one.site, one.mirror), []).append(one)
     for runs in mirrors.values():
         runs = sorted(runs, key=lambda one: one.start)
-        for a, b in zip(runs[:-1], runs[1:], strict=True):
+        for a, b in pairwise(runs):
             if b.start < a.start + a.days[-1]:
                 continue
             gain = float(np.log(b.reflectance[0] / a.reflectance[-1])) / depth
@@ -441,7 +465,7 @@ def _campaign(file: Path) -> list[Series]:
         rained = None
         if rain is not None:
             wet = weather_times[np.nan_to_num(rain) > 0]
-            rained = np.array([bool(np.any((wet > a) & (wet <= b))) for a, b in zip(t[:-1], t[1:], strict=True)])
+            rained = np.array([bool(np.any((wet > a) & (wet <= b))) for a, b in pairwise(t)])
         result.append(Series(site, campaign, name, round(tilt, 1), t - t[0], R, error, rained, float(t[0])))
     return result
 

@@ -130,13 +130,16 @@ class Part:
 class Joint:
     """All scans with a kind of trend for each parameter.
 
-    ``hours`` (T,) are the times of the data sets of `problem`; ``scans`` those that take part.
+    ``hours`` (T,) are the times of the data sets of `problem`; ``scans`` those that take part.  ``middles`` are those of `ScanFits`, and ``inflation``
+    has a number for each part: how much noisier it is than the mean sample says (see `inflated`); 1 where it is empty.
     """
 
     problem: Problem
     hours: Floats
     scans: NDArray[np.intp]
     parts: tuple[Part, ...]
+    middles: Floats | None = None
+    inflation: tuple[float, ...] = ()
 
     @property
     def size(self) -> int:
@@ -181,15 +184,16 @@ class Joint:
         return int(np.count_nonzero(self.problem.weights[self.scans]))
 
     def bic(self, objective: float) -> float:
-        """The Bayesian information criterion of an objective, with a coefficient as a parameter."""
+        """The Bayesian information criterion of an objective, with a coefficient as a parameter, or as `inflation` of them."""
         n = self.samples
-        return n * math.log(max(2 * objective / n, 1e-300)) + self.size * math.log(n)
+        count = sum(p.size * i for p, i in zip(self.parts, self.inflation or (1.0,) * len(self.parts), strict=True))
+        return n * math.log(max(2 * objective / n, 1e-300)) + count * math.log(n)
 
     def covariance(self, c: Floats) -> Floats:
         """Of the coefficients (K, K): the sandwich over all scans; NaN rows where they are not determined or at a bound."""
         x, jacobian = self.vectors(c)
-        scan = self.problem.normal(x, self.scans)
-        matrix = np.einsum("tpk,tpq,tql->kl", jacobian, scan.matrix, jacobian, optimize=True)
+        curvatures = np.stack([self.problem.curvature(x[k], np.array([t])) for k, t in enumerate(self.scans)])
+        matrix = np.einsum("tpk,tpq,tql->kl", jacobian, curvatures, jacobian, optimize=True)
         low, high = self.bounds()
         margin = 1e-9 * (1 + np.abs(c))
         inside = (
@@ -218,11 +222,25 @@ class Joint:
 
 @dataclass(frozen=True)
 class Alternative:
-    """Another kind of trend for one parameter: how much worse its BIC is, and the trend."""
+    """Another kind of trend for one parameter: how much worse its BIC is (over the part's inflation), and the trend."""
 
     kind: str
     delta_bic: float
     trend: Trend
+
+
+class Survey(NamedTuple):
+    """A joint fit at coefficients: parameters (T, P), their derivatives (T, P, K), and the scans' normal equations."""
+
+    x: Floats
+    jacobian: Floats
+    scan: Normal
+
+
+def survey(joint: Joint, c: Floats) -> Survey:
+    """What the profiles of all parts need, worked out once."""
+    x, jacobian = joint.vectors(c)
+    return Survey(x, jacobian, joint.problem.normal(x, joint.scans))
 
 
 class Profile:
@@ -232,10 +250,9 @@ class Profile:
     quadratic in this parameter's values, in which kinds of trends can be compared in no time.
     """
 
-    def __init__(self, joint: Joint, c: Floats, index: int) -> None:
+    def __init__(self, joint: Joint, c: Floats, index: int, at: Survey) -> None:
         self.joint, self.part, self.index = joint, joint.parts[index], index
-        x, jacobian = joint.vectors(c)
-        scan = joint.problem.normal(x, joint.scans)
+        x, jacobian, scan = at
         scans = len(x)
         own = self.part.quantity.where
         self.values = x[:, own]
@@ -256,15 +273,39 @@ class Profile:
         held = ((c <= low) & (pull > 0)) | ((c >= high) & (pull < 0))
         free = ~held[rest]
         gradient = scan.gradient[:, own].ravel()
+        pick = np.zeros((scans * width, scans, x.shape[1]))  # from the gradients of the scans to the one of this part
+        for t in range(scans):
+            pick[t * width : (t + 1) * width, t, own] = np.eye(width)
         if free.any():
             inverse = np.linalg.pinv(others[np.ix_(free, free)], rcond=1e-11, hermitian=True)
-            matrix = matrix - cross[:, free] @ inverse @ cross[:, free].T
-            gradient = gradient - cross[:, free] @ inverse @ slope[free]
-        self.matrix, self.gradient = matrix, gradient
+            onto = cross[:, free] @ inverse
+            matrix = matrix - onto @ cross[:, free].T
+            gradient = gradient - onto @ slope[free]
+            pick -= np.einsum("vk,tpk->vtp", onto, jacobian[:, :, rest[free]])
+        self.matrix, self.gradient, self._pick = matrix, gradient, pick
         self.objective = float(scan.objective.sum())
         # Where the scans would like the values to be: the minimum of the quadratic, as far as they say.
         move = np.linalg.pinv(matrix, rcond=1e-6, hermitian=True) @ gradient
+        # No trend at all, within bounds or not, gets below this objective.
+        self.least = self.objective - 0.5 * float(gradient @ np.linalg.pinv(matrix, 1e-12, hermitian=True) @ gradient)
         self.wish = np.clip(self.values - move.reshape(self.values.shape), *self.part.quantity.parameter.fit_bounds)
+
+    def inflation(self, noise: float) -> float:
+        """How many times the variance of this part's smooth changes exceeds what the mean square `noise` of a residual says; at least 1.
+
+        The samples of a highlight are brighter, so noisier, than most; an objective that weighs all alike then falls by more than it should when a
+        coefficient is added.  Counting that coefficient as so many makes the criterion fair: the composite-likelihood BIC of Gao and Song (2010).
+        """
+        if self.joint.middles is None or not noise > 0:
+            return 1.0
+        hours = self.joint.hours[self.joint.scans]
+        smooth = np.stack(KINDS["cubic"].basis(hours, *self.part.interval), axis=1)  # (T, 4)
+        directions = np.kron(smooth, np.eye(self.part.width))
+        picked = np.einsum("vtp,vk->tpk", self._pick, directions)
+        middle = np.einsum("tpk,tpq,tql->kl", picked, self.joint.middles, picked, optimize=True)
+        inverse = np.linalg.pinv(directions.T @ self.matrix @ directions, rcond=1e-9, hermitian=True)
+        rank = np.linalg.matrix_rank(inverse, hermitian=True)
+        return max(float(np.trace(inverse @ middle)) / (max(rank, 1) * noise), 1.0)
 
     def fitted(self, kind: str) -> tuple[float, Floats]:
         """The objective with another kind for this parameter, and its coefficients."""
@@ -288,16 +329,29 @@ class Profile:
         best = solution.best()
         return float(solution.normal.objective[best]), solution.x[best]
 
-    def compared(self) -> dict[str, tuple[float, Floats]]:
-        """For each candidate kind with fewer coefficients than scans: the BIC by the quadratic, and its coefficients."""
+    def compared(self, below: float = math.inf) -> dict[str, tuple[float, Floats]]:
+        """For each candidate kind with fewer coefficients than scans (straight lines need but two): the BIC by the quadratic, and its coefficients.
+
+        Those that can't have a BIC below `below` are left out.
+        """
         table = {}
         for kind in CANDIDATE_KINDS:
-            if len(KINDS[kind].coefficients) > max(1, len(self.joint.scans) - 1):
+            if len(KINDS[kind].coefficients) > max(2, len(self.joint.scans) - 1):
                 continue
-            objective, c = self.fitted(kind)
             parts = tuple(replace(p, kind=kind) if k == self.index else p for k, p in enumerate(self.joint.parts))
-            table[kind] = (replace(self.joint, parts=parts).bic(max(objective, 1e-300)), c)
+            changed = replace(self.joint, parts=parts)
+            if changed.bic(max(self.least, 0.0)) < below:
+                objective, c = self.fitted(kind)
+                table[kind] = (changed.bic(max(objective, 0.0)), c)
         return table
+
+
+def inflated(joint: Joint, c: Floats, noise: float) -> tuple[Joint, Survey]:
+    """The joint fit with the inflation of each part at coefficients `c`."""
+    at = survey(joint, c)
+    return replace(
+        joint, inflation=tuple(Profile(joint, c, k, at).inflation(noise) for k in range(len(joint.parts)))
+    ), at
 
 
 def first_guess(
@@ -305,17 +359,22 @@ def first_guess(
 ) -> tuple[Joint, Floats]:
     """A joint fit to start from: a cubic through the scans' own values, or what `kinds` asks for."""
     interval = (float(hours[scans[0]]), float(hours[scans[-1]]))
-    flexible = "cubic" if len(scans) >= 6 else "linear" if len(scans) >= 3 else "constant"
+    flexible = "cubic" if len(scans) >= 6 else "linear" if len(scans) >= 2 else "constant"
     parts, starts = [], []
     for q in problem.quantities:
-        part = Part(q, kinds.get(q.name, flexible), interval)
+        kind = kinds.get(q.name, flexible)
+        if any(
+            c.is_time for c in KINDS[kind].coefficients
+        ):  # has several valleys: `select` starts it from the flexible trend
+            kind = flexible
+        part = Part(q, kind, interval)
         values, errors = fits.x[:, q.where], fits.stderr[:, q.where]
         known = np.isfinite(errors).all(axis=1)
         if known.any():  # a scan that cannot see the parameter takes the value of its neighbours
             values = np.stack([np.interp(hours[scans], hours[scans][known], v[known]) for v in values.T], axis=1)
         parts.append(part)
         starts.append(part.starts(hours[scans], values)[0])
-    return Joint(problem, hours, scans, tuple(parts)), np.concatenate(starts)
+    return Joint(problem, hours, scans, tuple(parts), fits.middles), np.concatenate(starts)
 
 
 class Proposal(NamedTuple):
@@ -328,7 +387,7 @@ class Proposal(NamedTuple):
 
 
 def _proposals(
-    joint: Joint, c: Floats, bic: float, fixed_kinds: Mapping[str, str], refused: set[tuple[str, str]]
+    joint: Joint, c: Floats, at: Survey, bic: float, fixed_kinds: Mapping[str, str], refused: set[tuple[str, str]]
 ) -> list[Proposal]:
     """The best change for each part that promises a smaller BIC, the most promising first."""
     proposals = []
@@ -338,7 +397,7 @@ def _proposals(
             continue
         better = [
             Proposal(guess, index, kind, coefficients)
-            for kind, (guess, coefficients) in Profile(joint, c, index).compared().items()
+            for kind, (guess, coefficients) in Profile(joint, c, index, at).compared(bic).items()
             if kind != part.kind and guess < bic - 1e-9 and (name, kind) not in refused
         ]
         if better:
@@ -355,44 +414,58 @@ def _changed(joint: Joint, c: Floats, proposals: list[Proposal]) -> tuple[Joint,
 
 
 def select(
-    joint: Joint, c: Floats, fixed_kinds: Mapping[str, str], progress: Any = None
+    joint: Joint, c: Floats, fixed_kinds: Mapping[str, str], progress: Any = None, noise: float = 0.0
 ) -> tuple[Joint, Solution, dict[str, list[Alternative]]]:
     """Choose the kind of each trend by BIC: the best single change by the quadratic is fitted in full, until none helps.
 
-    Returns the joint fit, its solution, and for each parameter the alternatives with their distance in BIC.
+    `noise` is the mean square of a weighted residual, by the scans' own fits.  Returns the joint fit, its solution, and for each parameter the alternatives with their distance in BIC.
     """
     solution = joint.solve(c[None])
-    bic = joint.bic(float(solution.normal.objective[0]))
+    settled = [
+        Proposal(-math.inf, k, kind, Profile(joint, solution.x[0], k, survey(joint, solution.x[0])).fitted(kind)[1])
+        for k, part in enumerate(joint.parts)
+        if (kind := fixed_kinds.get(part.quantity.name, part.kind)) != part.kind
+    ]
+    if settled:
+        joint, c = _changed(joint, solution.x[0], settled)
+        solution = joint.solve(c[None])
     refused: set[tuple[str, str]] = set()
+    seen: set[tuple[str, ...]] = set()  # the inflation changes with the trends, so that a choice could come round again
     for step in range(MOST_CHANGES):
-        proposals = _proposals(joint, solution.x[0], bic, fixed_kinds, refused)
+        joint, at = inflated(joint, solution.x[0], noise)
+        bic = joint.bic(float(solution.normal.objective[0]))
+        seen.add(tuple(p.kind for p in joint.parts))
+        proposals = _proposals(joint, solution.x[0], at, bic, fixed_kinds, refused)
         if not proposals:
             break
         # All at once first; if that is no better, the most promising one.
         for chosen in (proposals, proposals[:1]) if len(proposals) > 1 else (proposals,):
             changed, start = _changed(joint, solution.x[0], chosen)
+            if tuple(p.kind for p in changed.parts) in seen:
+                continue
             tried = changed.solve(start[None])
             new_bic = changed.bic(float(tried.normal.objective[0]))
             if progress:
                 words = ", ".join(f"{joint.parts[p.part].quantity.name} {p.kind}" for p in chosen)
                 progress(step, MOST_CHANGES, words)
             if new_bic < bic:
-                joint, solution, bic = changed, tried, new_bic
+                joint, solution = changed, tried
                 break
         else:
             refused.add((joint.parts[proposals[0].part].quantity.name, proposals[0].kind))
+    joint, at = inflated(joint, solution.x[0], noise)
+    bic = joint.bic(float(solution.normal.objective[0]))
     alternatives: dict[str, list[Alternative]] = {}
-    for index, part in enumerate(joint.parts):
-        table = Profile(joint, solution.x[0], index).compared()
-        alternatives[part.quantity.name] = sorted(
-            (
-                Alternative(
-                    kind, guess - bic if kind != part.kind else 0.0, replace(part, kind=kind).trend(coefficients)
-                )
-                for kind, (guess, coefficients) in table.items()
-            ),
-            key=lambda a: a.delta_bic,
-        )
+    for index, (part, where) in enumerate(zip(joint.parts, joint.slices(), strict=True)):
+        own = [Alternative(part.kind, 0.0, part.trend(solution.x[0][where]))]
+        settled_kind = part.quantity.name in fixed_kinds
+        table = {} if settled_kind else Profile(joint, solution.x[0], index, at).compared()
+        others = [
+            Alternative(kind, (guess - bic) / joint.inflation[index], replace(part, kind=kind).trend(coefficients))
+            for kind, (guess, coefficients) in table.items()
+            if kind != part.kind
+        ]
+        alternatives[part.quantity.name] = sorted(own + others, key=lambda a: a.delta_bic)
     return joint, solution, alternatives
 
 
@@ -407,8 +480,11 @@ __all__ = [
     "Joint",
     "Part",
     "Profile",
+    "Survey",
     "coefficients_of",
     "first_guess",
     "flat",
+    "inflated",
     "select",
+    "survey",
 ]

@@ -60,38 +60,50 @@ LOSSES = {
 
 @dataclass(frozen=True)
 class Robust:
-    """A function rho of the squared residual z (in noise squared) that grows slower than z, and its derivative."""
+    """A function rho of the squared residual z (in units of the noise squared) that grows slower than z.
+
+    ``slope`` is its derivative by z: what a residual is multiplied by in the gradient.  ``bend`` is the derivative of
+    that product by the residual, slope + 2 z slope': what J'J is multiplied by in the expected second derivative, and so
+    in the standard errors.
+    """
 
     name: str
     rho: Callable[[Floats], Floats]
     slope: Callable[[Floats], Floats]
+    bend: Callable[[Floats], Floats]
 
 
 ROBUST = {
     robust.name: robust
     for robust in (
-        Robust("none", lambda z: z, lambda z: np.ones_like(z)),
-        Robust("soft_l1", lambda z: 2 * (np.sqrt(1 + z) - 1), lambda z: 1 / np.sqrt(1 + z)),
+        Robust("none", lambda z: z, np.ones_like, np.ones_like),
+        Robust(
+            "soft_l1",
+            lambda z: 2 * (np.sqrt(1 + z) - 1),
+            lambda z: 1 / np.sqrt(1 + z),
+            lambda z: 1 / ((1 + z) * np.sqrt(1 + z)),
+        ),
         Robust(
             "huber",
             lambda z: np.where(z <= 1, z, 2 * np.sqrt(np.maximum(z, 1)) - 1),
             lambda z: 1 / np.sqrt(np.maximum(z, 1)),
+            lambda z: np.where(z <= 1, 1.0, 0.0),
         ),
-        Robust("cauchy", lambda z: np.log1p(z), lambda z: 1 / (1 + z)),
+        Robust("cauchy", np.log1p, lambda z: 1 / (1 + z), lambda z: (1 - z) / ((1 + z) * (1 + z))),
     )
 }
 
 
 def loss_named(name: str) -> Loss:
     """The loss of that name."""
-    if name not in LOSSES:
+    if not isinstance(name, str) or name not in LOSSES:
         raise MotesError(f"loss {name!r} is not one of {', '.join(LOSSES)}", "linear is a good first choice")
     return LOSSES[name]
 
 
 def robust_named(name: str) -> Robust:
     """The robust function of that name."""
-    if name not in ROBUST:
+    if not isinstance(name, str) or name not in ROBUST:
         raise MotesError(
             f"robust {name!r} is not one of {', '.join(ROBUST)}", "none is least squares; soft_l1 a mild choice"
         )

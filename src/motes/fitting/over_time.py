@@ -281,15 +281,15 @@ def _joint(
             )
         kept = kept[~loud]
     while True:
-        part = ScanFits(
-            fits.x[kept],
-            fits.stderr[kept],
-            [fits.verdicts[k] for k in kept],
-            type(fits.normal)(*(p[kept] for p in fits.normal)),
-            [fits.status[k] for k in kept],
-        )
+        part = fits.select(kept)
         joint, c = first_guess(problem, hours, part, usable[kept], kinds)
-        joint, solution, alternatives = select(joint, c, kinds, lambda done, total, what: say(45 + done, 100, what))
+        joint, solution, alternatives = select(
+            joint,
+            c,
+            kinds,
+            lambda done, total, what: say(45 + done, 100, what),
+            float(np.median(_noise(problem, part, joint.scans)) ** 2),
+        )
         misfit = _misfit(joint, solution.x[0], part)
         ratio = misfit / max(float(np.median(misfit)), 1e-9)
         worst = int(np.argmax(misfit))

@@ -148,11 +148,18 @@ class Problem:
     def spread(self, x: Floats, inverse: Floats, sets: NDArray[np.intp] | None = None) -> Floats:
         """The middle of the sandwich estimator (P, P): the sum of (psi / (1 - h))^2 J' J for one parameter vector.
 
-        ``inverse`` is the inverse normal matrix, h = J inverse J' the leverage of a sample, psi its (robust) weighted
+        ``inverse`` is the inverse of `curvature`, h = J inverse J' the leverage of a sample, psi its (robust) weighted
         residual: MacKinnon and White's HC3 (1985).  It needs no assumption that the noise is the same everywhere, or
         goes with the weights."""
         results = self._mapped(lambda rows: (self._spread_part(x[None], inverse, rows, sets),), 1)
         return np.sum([part for (part,) in results], axis=0)
+
+    def curvature(self, x: Floats, sets: NDArray[np.intp] | None = None) -> Floats:
+        """The expected second derivative (P, P) of the objective at one parameter vector, for standard errors.
+
+        It is the Gauss-Newton matrix for least squares.  Under a robust function the matrix that makes good steps is
+        larger than that: it leaves out that a residual counts less as it grows."""
+        return np.sum(self._mapped(lambda rows: self._curvature_part(x[None], rows, sets), 1), axis=0)
 
     def _normal_part(self, x: Floats, rows: slice, sets: NDArray[np.intp] | None) -> tuple[Floats, Floats, Floats]:
         residual, jacobian = self._linearised(x, rows, sets)
@@ -167,6 +174,11 @@ class Problem:
         slopes = (transposed @ np.moveaxis(residual, 2, 1)[..., None])[..., 0]  # (B, C, K)
         return objective, self._vector(slopes), self._matrix(products)
 
+    def _curvature_part(self, x: Floats, rows: slice, sets: NDArray[np.intp] | None) -> Floats:
+        residual, jacobian = self._linearised(x, rows, sets)
+        bend = np.moveaxis(self.robust.bend((residual / self.scale) ** 2), 2, 1)[..., None]  # (1, C, n, 1)
+        return self._matrix(np.swapaxes(jacobian, 2, 3) @ (bend * jacobian))[0]
+
     def _spread_part(self, x: Floats, inverse: Floats, rows: slice, sets: NDArray[np.intp] | None) -> Floats:
         residual, jacobian = self._linearised(x, rows, sets)
         z = (residual / self.scale) ** 2
@@ -174,6 +186,7 @@ class Problem:
         index = self._index()  # (C, K)
         blocks = inverse[index[:, :, None], index[:, None, :]]  # (C, K, K)
         leverage = np.einsum("cnk,ckl,cnl->cn", jacobian[0], blocks, jacobian[0])
+        leverage *= np.moveaxis(self.robust.bend(z), 2, 1)[0]
         scaled = jacobian[0] * (psi / np.maximum(1 - leverage, 0.05))[..., None]
         return self._matrix((np.swapaxes(scaled, 1, 2) @ scaled)[None])[0]
 

@@ -37,6 +37,10 @@ def prepare(
 
     Arguments are those of `motes.fit`; `lenient` lets names pass that the model does not have (candidates of "auto").
     """
+    if not isinstance(model, (str, BRDF)):
+        raise DataError(
+            f"a model of type {type(model).__name__} cannot be fitted", "Give text such as 'oren_nayar', or a BRDF"
+        )
     brdf, held = (model, frozenset[str]()) if isinstance(model, BRDF) else parse(model)
     names = [slot.name for slot in brdf.slots()]
     for name in (*fixed, *per_channel):
@@ -55,6 +59,11 @@ def prepare(
     used = slice(None) if used.all() else used  # no copies of large data
     values = np.where(full > 0, data.values, 0.0)[:, used]
     full = full[:, used]
+    if not values.any():
+        raise DataError(
+            f"all {int(np.count_nonzero(full))} usable samples are 0, so there is nothing to fit",
+            "Check the exposure and the units of the data",
+        )
     single = data.n_times == 1
     problem = Problem(
         model=brdf,
@@ -92,7 +101,10 @@ def sample_weights(data: Measurement, weights: str | ArrayLike) -> Floats:
             raise MotesError(f"weights {weights!r} is not 'measurement', 'uniform' or an array")
         given = data.weights if weights == "measurement" else np.ones(data.n_directions)
     else:
-        given = np.asarray(weights, float)
+        try:
+            given = np.asarray(weights, float)
+        except (TypeError, ValueError):
+            raise DataError("weights are not numbers", "Give one number >= 0 a direction") from None
     given = given[:, None] if given.ndim == 1 else given
     if given.shape not in ((data.n_directions, 1), (data.n_directions, data.n_channels)):
         expected = f"({data.n_directions},) or ({data.n_directions}, {data.n_channels})"

@@ -13,17 +13,17 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from motes.directions import HALF_PI
-from motes.errors import DataError
+from motes.errors import DataError, MotesError
 from motes.fitting.losses import LOSSES, ROBUST, Floats, loss_named, robust_named
 from motes.fitting.problem import Problem
 from motes.fitting.result import Fit, FittedParameter, Status, Trial, Verdict
-from motes.fitting.setup import prepare
+from motes.fitting.setup import prepare, sample_weights
 from motes.fitting.solver import Solution, minimize
 from motes.fitting.starts import starting_points
 from motes.fitting.uncertainty import uncertainty
 from motes.material import Material
 from motes.measurements import Measurement
-from motes.models import BRDF, describe
+from motes.models import BRDF, describe, parse
 
 if TYPE_CHECKING:
     from motes.fitting.over_time import TimeFit
@@ -37,6 +37,8 @@ CANDIDATES = (
 )
 #: With more than three times as many samples, candidates are compared on this many.
 COMPARED_SAMPLES = 200_000
+# Residuals below this share of the data are rounding, not noise.
+NOISE_FLOOR = 1e-6
 Progress = Callable[[int, int, str], None]
 
 
@@ -122,6 +124,9 @@ def fit(
         within = np.minimum(data.wi[:, 2], data.wo[:, 2]) >= math.cos(max_theta)
         data = data.with_mask(within[None, :, None], f"theta beyond {math.degrees(max_theta):.3g} degrees")
     loss_named(loss), robust_named(robust)
+    # One name is a name, not its letters.
+    fixed = (fixed,) if isinstance(fixed, str) else fixed
+    per_channel = (per_channel,) if isinstance(per_channel, str) else per_channel
     if data.n_times > 1:
         from motes.fitting.over_time import fit_over_time
 
@@ -137,12 +142,19 @@ def fit(
             progress=progress,
         )
     texts: tuple[str | BRDF, ...] = CANDIDATES if isinstance(model, str) and model.strip() == "auto" else (model,)
+    if len(texts) > 1:
+        names = {slot.name: None for text in CANDIDATES for slot in parse(text).model.slots()}
+        for name in (*fixed, *per_channel):
+            if name not in names:
+                raise MotesError(f"no model that auto tries has a parameter {name!r}", f"They have {', '.join(names)}")
     # Candidates are compared on a part of large data; the chosen one is then fitted to all.
     compared, compared_weights = data, weights
     if len(texts) > 1 and data.n_directions * data.n_channels > 3 * COMPARED_SAMPLES:
         rows = _even_rows(data.n_directions, COMPARED_SAMPLES // data.n_channels)
         compared = data.select(rows)
-        compared_weights = weights if isinstance(weights, str) else np.asarray(weights)[rows]
+        if not isinstance(weights, str):
+            sample_weights(data, weights)  # complains of a wrong shape before rows are taken
+            compared_weights = np.asarray(weights, float)[rows]
     best: _Attempt | None = None
     trials: list[Trial] = []
     too_few: DataError | None = None
@@ -155,7 +167,7 @@ def fit(
                 compared, candidate, loss, robust, compared_weights, fixed, frozenset(per_channel), len(texts) > 1
             )
         except DataError as error:
-            too_few = error
+            too_few = too_few or error
             continue
         trials.append(attempt.trial())
         if best is None or attempt.bic < best.bic:
@@ -207,7 +219,10 @@ class _Attempt:
         n = self.problem.samples
         objective = float(self.solution.normal.objective.min())
         self.objective = objective
-        self.bic = n * math.log(max(2 * objective / n, 1e-300)) + self.problem.size * math.log(n)
+        # Noise-free data leave residuals of rounding, whose size says nothing: none counts as below NOISE_FLOOR.
+        brightness = float(np.sum((self.problem._roots * self.problem._targets) ** 2)) / n
+        variance = max(2 * objective / n, NOISE_FLOOR**2 * brightness)
+        self.bic = n * math.log(variance) + self.problem.size * math.log(n)
         self.predicted = self._predicted()
 
     def _vector(self, start: BRDF) -> Floats | None:
@@ -226,7 +241,7 @@ class _Attempt:
         low, high = problem.bounds
         work = len(problem.wi) * problem.channels
         # A relative change of the objective of 1/work moves the parameters by about a standard error.
-        reduction = min(1e-8, 1e-3 / work) if work > COMPARED_SAMPLES else 1e-10
+        reduction = min(1e-8, 1e-2 / work) if work > COMPARED_SAMPLES else 1e-10
         if near is not None:
             starts = near[None]
         else:

@@ -29,11 +29,13 @@ class Uncertainty(NamedTuple):
 def uncertainty(problem: Problem, x: Floats) -> Uncertainty:
     """The uncertainty of the solution `x` (P,).
 
-    The covariance is the sandwich H^-1 M H^-1 with H the normal matrix and M the sum of squared residuals times J'J
-    (HC3, see `Problem.spread`): it holds where the noise differs from sample to sample, and where the weights are solid
+    The covariance is the sandwich H^-1 M H^-1 with H the curvature of the objective (`Problem.curvature`) and M the sum
+    of squared residuals times J'J (HC3, see `Problem.spread`): it holds where the noise differs from sample to sample, and where the weights are solid
     angles rather than inverse variances."""
     size = len(x)
-    matrix = problem.normal(x[None]).matrix[0]
+    matrix = problem.curvature(x)
+    if problem.robust.name == "cauchy" and np.any(np.diag(matrix) <= 0):  # mostly outliers: no minimum to speak of
+        matrix = problem.normal(x[None]).matrix[0]
     low, high = problem.bounds
     declared = [q.parameter for q in problem.quantities for _ in range(q.where.stop - q.where.start)]
     margin = 1e-9 * (1 + np.abs(x))
@@ -78,10 +80,13 @@ def uncertainty(problem: Problem, x: Floats) -> Uncertainty:
 
 def judged(parameter: Parameter, value: float, stderr: float) -> Verdict:
     """By the size of the standard error against the value, and against the range that real materials span."""
-    span = parameter.typical[1] - parameter.typical[0]
+    low, high = parameter.typical
+    span = high - low
     signed = parameter.bounds[0] < 0
     if not np.isfinite(stderr) or stderr > max(0.5 * span, 2 * abs(value)):
         return Verdict.UNIDENTIFIABLE
     if stderr > (0.25 * span if signed else 0.5 * abs(value)):
+        return Verdict.WEAK
+    if low <= value <= high and stderr > 0.25 * span:
         return Verdict.WEAK
     return Verdict.IDENTIFIED

@@ -138,9 +138,9 @@ def describe(model: Parametrised, *, values: bool = False) -> str:
     for f in fields(model):
         value = getattr(model, f.name)
         if isinstance(value, Parametrised):
-            if not values and value == f.default:
-                continue
             text = describe(value, values=values)
+            if not values and isinstance(f.default, Parametrised) and text == describe(f.default):
+                continue  # `parse` puts it there
             parts.append(text if f.name in ("base", "dust") else f"{f.name}={text}")
         elif "parameter" in f.metadata:
             if values:
