@@ -13,11 +13,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from motes import Lambert, OrenNayar, TorranceSparrow, load, read
+from motes import Dust, DustLayer, Lambert, Material, OrenNayar, TorranceSparrow, load, read
 from motes._cli import paths
-from motes.ageing import Rig, simulate
+from motes._cli.demo import true_trends
+from motes.ageing import PHENOMENA, Rig, age, simulate
+from motes.ageing.plaster import TRENDS
 from motes.cli import main, make_app
 from motes.errors import MotesError
+from motes.trends import Trend
 
 DOCS = Path(__file__).resolve().parents[1] / "docs" / "cli.md"
 ROCK = OrenNayar(K_d=(0.6, 0.5, 0.4), sigma_d=0.3) + TorranceSparrow(K_s=0.3, sigma_s=0.15)
@@ -58,7 +61,7 @@ def message(err: str) -> tuple[str, str]:
 
 
 def test_fit_writes_results_that_agree(motes: Run, rock: Path) -> None:
-    status, out, err = motes("fit", rock, "--model", "oren_nayar + torrance_sparrow", "-o", "out")
+    status, out, err = motes("fit", rock, "--time", 0, "--model", "oren_nayar + torrance_sparrow", "-o", "out")
     assert (status, err) == (0, "")
     assert sorted(p.name for p in Path("out").iterdir()) == [
         "fit.json",
@@ -103,7 +106,18 @@ def test_fit_json_is_one_object_and_nothing_else(motes: Run, rock: Path) -> None
 
 
 def test_fit_holds_and_splits_parameters(motes: Run, rock: Path) -> None:
-    options = ("--fix", "sigma_d=0.25", "--fix", "K_d=0.6,0.5,0.4", "--per-channel", "K_s", "--json", "--no-report")
+    options = (
+        "--time",
+        0,
+        "--fix",
+        "sigma_d=0.25",
+        "--fix",
+        "K_d=0.6,0.5,0.4",
+        "--per-channel",
+        "K_s",
+        "--json",
+        "--no-report",
+    )
     status, out, _ = motes("fit", rock, "-m", "oren_nayar + torrance_sparrow", *options)
     parameters = json.loads(out)["parameters"]
     assert status == 0
@@ -125,7 +139,7 @@ def test_choices_are_those_of_the_library(option: str) -> None:
 
 def test_losses_and_robust_functions_are_passed_on(motes: Run, rock: Path) -> None:
     def fitted(*options: str) -> dict[str, Any]:
-        status, out, _ = motes("fit", rock, "-m", "oren_nayar", "--no-report", "--json", *options)
+        status, out, _ = motes("fit", rock, "--time", 0, "-m", "oren_nayar", "--no-report", "--json", *options)
         assert status == 0
         result: dict[str, Any] = json.loads(out)
         return result
@@ -142,7 +156,9 @@ def test_fit_says_when_it_did_not_converge(motes: Run, rock: Path, monkeypatch: 
 
     real = static.minimize
     monkeypatch.setattr(static, "minimize", lambda *a, **k: real(*a, **{**k, "max_iterations": 1}))
-    status, out, err = motes("fit", rock, "-m", "oren_nayar + torrance_sparrow", "--no-report", "-o", "out")
+    status, out, err = motes(
+        "fit", rock, "--time", 1, "-m", "oren_nayar + torrance_sparrow", "--no-report", "-o", "out"
+    )
     assert status == 1
     assert err.startswith("warning: the fit did not converge")
     assert json.loads(Path("out/fit.json").read_text())["converged"] is False
@@ -157,7 +173,7 @@ def test_fit_without_matplotlib_writes_the_rest(motes: Run, rock: Path, monkeypa
         raise MissingExtraError("matplotlib", "report", "The report")
 
     monkeypatch.setattr(Fit, "report", report)
-    status, _, err = motes("fit", rock, "-m", "lambert", "-o", "out")
+    status, _, err = motes("fit", rock, "--time", 0, "-m", "lambert", "-o", "out")
     assert status == 0
     assert err.startswith("warning: no report.html: ")
     assert "motes[report]" in err
@@ -173,7 +189,7 @@ def test_a_failed_fit_leaves_an_older_result_alone(motes: Run, rock: Path, monke
         raise OSError(28, "No space left on device", str(path))
 
     monkeypatch.setattr(Fit, "report", report)
-    status, _, err = motes("fit", rock, "-m", "oren_nayar", "-o", "out")
+    status, _, err = motes("fit", rock, "--time", 0, "-m", "oren_nayar", "-o", "out")
     assert status == 2
     assert "No space left" in message(err)[0]
     assert {p.name: p.read_bytes() for p in Path("out").iterdir()} == before
@@ -186,6 +202,239 @@ def test_names_from_files_cannot_drive_the_terminal(motes: Run, tmp_path: Path) 
         assert status == 0
         assert "[red]" in out
         assert not set("\x1b\x07") & set(out + err)
+
+
+# ---------------------------------------------------------------- fit over time
+
+
+@pytest.fixture(scope="session")
+def greying(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Five scans of a surface whose colours meet at a steady rate."""
+    K_d = Trend("linear", {"start": (0.2, 0.4, 0.8), "end": (0.5, 0.5, 0.5)}, (0, 4))
+    material = Material(Lambert(K_d=(0.2, 0.4, 0.8)), "paint", ("R", "G", "B"), trends={"K_d": K_d})
+    folder = tmp_path_factory.mktemp("greying") / "greying"
+    return simulate(folder, material, scans=5, hours=4, seed=3, rig=Rig(step_deg=6), name="paint")
+
+
+def edited(source: Path, folder: Path, change: Callable[[str, str], str | None]) -> Path:
+    """A copy of a sample; `change` gets the name and the text of each file, and gives a text, or None to leave it out."""
+    for file in source.rglob("*.txt"):
+        text = change(file.name, file.read_text())
+        if text is not None:
+            target = folder / file.relative_to(source)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_text(text)
+    return folder
+
+
+def test_all_scans_give_trends(motes: Run, greying: Path) -> None:
+    status, out, err = motes("fit", greying, "-m", "lambert", "-o", "out")
+    assert (status, err) == (0, "")
+    assert {p.name for p in Path("out").iterdir()} == {"fit.json", "material.json", "parameters.csv", "report.html"}
+    fitted = json.loads(Path("out/fit.json").read_text())
+    trend = fitted["trends"]["K_d"]
+    assert (fitted["format"], trend["kind"]) == ("motes time fit", "linear")
+    off = np.subtract(trend["values"], np.linspace((0.2, 0.4, 0.8), (0.5, 0.5, 0.5), 5))
+    assert np.all(np.abs(off) < 4.5 * np.array(trend["stderr"]))
+    material = load("out/material.json")
+    np.testing.assert_allclose(material.at(2.0).parameters["K_d"], trend["values"][2])
+    with open("out/parameters.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [(r["channel"], float(r["hours"])) for r in rows] == [(c, float(h)) for c in "RGB" for h in range(5)]
+    assert "Trends" in Path("out/report.html").read_text()
+    for words in ("5 scans, 0 to 4 h", "linear", "identified", "out/report.html", "relative RMS", "6 coefficients"):
+        assert words in out
+
+
+def test_trends_as_json(motes: Run, greying: Path) -> None:
+    options = ("-m", "lambert", "--trend", "K_d=cubic", "--no-report", "--json", "-o", "out")
+    status, out, err = motes("fit", greying, *options)
+    result = json.loads(out)
+    assert (status, err) == (0, "")
+    assert result["trends"]["K_d"]["kind"] == "cubic"
+    assert result["hours"] == pytest.approx([0, 1, 2, 3, 4])
+    assert set(result["files"]) == {"fit.json", "material.json", "parameters.csv"}
+    assert result["folder"] == "out"
+    assert "time" not in result
+
+
+def test_grazing_angles_can_be_left_out(motes: Run, greying: Path) -> None:
+    options = ("-m", "lambert", "--max-theta-deg", 50, "--no-report", "--json")
+    over_time, alone = (json.loads(motes("fit", greying, *options, *more)[1]) for more in ((), ("--time", 2)))
+    for result, scans in ((over_time, 5), (alone, 1)):
+        data = read(greying)
+        beyond = np.maximum(data.theta_i, data.theta_r) > np.radians(50)
+        assert result["masked"] == {"theta beyond 50 degrees": scans * 3 * int(beyond.sum())}
+
+
+def test_info_shows_trends(motes: Run, greying: Path) -> None:
+    motes("fit", greying, "-m", "oren_nayar", "--no-report", "-o", "out", "--quiet")
+    status, out, err = motes("info", "out")
+    assert (status, err) == (0, "")
+    for words in ("0 to 4 h", "linear", "sigma_d", "extrapolate"):
+        assert words in out
+    assert json.loads(motes("info", "out", "--json")[1])["trends"]["K_d"]["kind"] == "linear"
+
+
+def test_many_channels_are_summarised(motes: Run) -> None:
+    rng = np.random.default_rng(4)
+    rows = ["theta_i,theta_r,phi_r,time," + ",".join(f"{nm} nm" for nm in range(400, 701, 50))]
+    for hours in range(3):
+        for theta_i in range(5, 80, 15):
+            for theta_r in range(5, 80, 15):
+                f = (0.1 + 0.05 * hours) * (1 + 0.01 * rng.standard_normal(7))
+                rows.append(f"{theta_i},{theta_r},180,{hours}," + ",".join(f"{x:.6f}" for x in f))
+    Path("m.csv").write_text("\n".join(rows).replace("theta_i,theta_r,phi_r", "theta_i_deg,theta_r_deg,phi_r_deg"))
+    status, out, err = motes("fit", "m.csv", "-m", "lambert", "-o", "out")
+    assert (status, err) == (0, "")
+    assert "in 7 channels" in out
+    assert "With 3 scans" in out
+
+
+def test_one_scan_alone_is_said(motes: Run, greying: Path) -> None:
+    single = simulate(Path("single"), Lambert(0.5), scans=1, rig=Rig(step_deg=10))
+    status, out, err = motes("fit", single, "-m", "lambert", "--no-report")
+    assert (status, err) == (0, "")
+    assert "one scan only: fitted alone" in out
+    rest = edited(greying, Path("rest"), lambda name, text: None if re.match("scan0[1245]", name) else text)
+    status, out, err = motes("fit", rest, "-m", "lambert", "--no-report", "-o", "out")
+    assert (status, err) == (0, "")
+    assert "2 (at 2 h) of 5" in out
+    assert "the only scan with usable samples" in out
+    assert json.loads(Path("out/fit.json").read_text())["format"] == "motes fit"
+
+
+@pytest.mark.parametrize("stamp", ["3600 s", "10 s"], ids=["repeated", "backwards"])
+def test_time_stamps_that_do_not_increase_are_not_used(motes: Run, greying: Path, stamp: str) -> None:
+    bad = edited(greying, Path("bad"), lambda _, text: re.sub("scan 03: .*", f"scan 03: {stamp}", text))
+    status, out, err = motes("fit", bad, "-m", "lambert", "-o", "out")
+    assert status == 0
+    assert err.startswith("warning: The time stamps")
+    assert "--read times=0,0.5,1" in err
+    assert "scan 0 to 4" in out
+    assert motes("fit", bad, "-m", "lambert", "--read", "times=0,1,2,3,4", "--no-report")[::2] == (0, "")
+
+
+def test_scans_with_other_channels_are_an_error(motes: Run, greying: Path) -> None:
+    def one_channel(name: str, text: str) -> str:
+        return re.sub(r"^F (\S+) .*", r"F \1", text, flags=re.MULTILINE) if name.startswith("scan03") else text
+
+    status, _, err = motes("fit", edited(greying, Path("bad"), one_channel), "-o", "out")
+    assert status == 2
+    assert "scan03_brdf_camera1" in message(err)[0]
+    assert "F b g r" in message(err)[1]
+    assert not Path("out").exists()
+
+
+def test_a_channel_that_one_scan_lacks_is_filled_by_the_trend(motes: Run, greying: Path) -> None:
+    def without_red(name: str, text: str) -> str:
+        return re.sub(r"^(F \S+ \S+) .*", r"\1 -1", text, flags=re.MULTILINE) if name.startswith("scan03") else text
+
+    dark = edited(greying, Path("dark"), without_red)
+    result = json.loads(motes("fit", dark, "-m", "lambert", "--no-report", "--json")[1])
+    trend = result["trends"]["K_d"]
+    assert trend["scan_stderr"][2][0] is None
+    assert trend["values"][2][0] == pytest.approx(0.35, abs=0.01)
+    assert result["masked"] == {"negative": read(dark).n_directions}
+
+
+def test_what_scans_do_not_show_is_said(motes: Run) -> None:
+    rig = Rig(step_deg=6)
+    matte = simulate(Path("matte"), OrenNayar(K_d=(0.3, 0.2, 0.1), sigma_d=0.3), scans=4, seed=1, rig=rig)
+    status, out, _ = motes("fit", matte, "-m", "oren_nayar + torrance_sparrow", "--no-report")
+    assert status in (0, 1)
+    assert "No highlight is seen" in out
+    buried = age(DustLayer(OrenNayar(K_d=(0.3, 0.2, 0.1)), Dust((0.7, 0.6, 0.5)), tau=6.0), "dust", hours=6)
+    status, out, _ = motes("fit", simulate(Path("s"), buried, scans=4, seed=1, rig=rig), "-m", "dust_layer(lambert)")
+    assert status in (0, 1)
+    assert "hides the surface" in out
+    assert "unidentifiable" in out
+
+
+def test_scans_without_a_usable_sample_are_an_error(motes: Run, greying: Path) -> None:
+    dark = edited(greying, Path("dark"), lambda _, text: re.sub(r"^F .*", "F -1 -1 -1", text, flags=re.MULTILINE))
+    status, _, err = motes("fit", dark, "-o", "out")
+    assert status == 2
+    assert "usable" in message(err)[0]
+    assert not Path("out").exists()
+
+
+def test_trends_that_did_not_converge_are_marked(motes: Run, greying: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from motes.fitting import joint
+
+    real = joint.minimize
+    monkeypatch.setattr(joint, "minimize", lambda *a, **k: real(*a, **{**k, "max_iterations": 1, "reduction": 0.0}))
+    status, _, err = motes("fit", greying, "-m", "oren_nayar", "-o", "out")
+    assert status == 1
+    assert err.startswith("warning: the fit did not converge")
+    assert "did not converge" in Path("out/report.html").read_text()
+
+
+# ---------------------------------------------------------------- age
+
+
+@pytest.fixture
+def slate(motes: Run) -> Path:
+    """A material in a file."""
+    material = Material(ROCK, "slate", ("R", "G", "B"))
+    return material.save("slate.json")
+
+
+def test_dust_settles_on_a_material(motes: Run, slate: Path) -> None:
+    status, out, err = motes("age", slate, "-p", "dust", "--hours", 48, "--set", "tau_growth=0.8", "-o", "aged.json")
+    assert (status, err) == (0, "")
+    aged = load("aged.json")
+    assert aged.interval == (0, 48)
+    assert aged.at(24).parameters["tau"] == pytest.approx(0.4)
+    np.testing.assert_allclose(aged.at(24).parameters["K_d"], ROCK.parameters["K_d"])
+    for words in ("slate, dust", "0 to 48 h", "tau", "linear", "a layer of dust was laid", "aged.json"):
+        assert words in out
+    result = json.loads(motes("age", slate, "-p", "dust", "--hours", 48, "--json")[1])
+    assert result["path"] == "slate-dust.json"
+    assert result["ageing"]["phenomenon"] == "dust"
+    assert load("slate-dust.json").to_dict()["trends"] == result["trends"]
+    assert motes("info", "aged.json")[1].count("tau")
+    assert motes("simulate", "s", "--material", "aged.json", "--hours", 48, "--scans", 2, "--step-deg", 20)[0] == 0
+
+
+def test_a_fitted_course_is_carried_over(motes: Run, slate: Path, greying: Path) -> None:
+    motes("fit", greying, "-m", "lambert", "--no-report", "-o", "source", "--quiet")
+    status, out, err = motes("age", slate, "-p", "drying_surface", "--from", "source", "--hours", 10, "-o", "aged.json")
+    assert (status, err) == (0, "")
+    assert "as in paint" in out
+    source, aged = load("source/material.json"), load("aged.json")
+    # drying ends at what the material is, and scales as the source does
+    np.testing.assert_allclose(aged.at(10).parameters["K_d"], ROCK.parameters["K_d"])
+    ratio = source.at(0).parameters["K_d"] / source.at(4).parameters["K_d"]
+    np.testing.assert_allclose(aged.at(0).parameters["K_d"], ratio * ROCK.parameters["K_d"])
+    start = ("age", slate, "-p", "drying_surface", "--from", "source", "--given", "start", "-o", "b.json", "--quiet")
+    assert motes(*start) == (0, "", "")
+    np.testing.assert_allclose(load("b.json").at(0).parameters["K_d"], ROCK.parameters["K_d"])
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("-p", "rain", "--hours", "3"), "drying_paint"),
+        (("-p", "dust"), "no time is given"),
+        (("-p", "dust", "--hours", "-3"), "forward"),
+        (("-p", "dust", "--hours", "3", "--set", "tau=1"), "tau_growth"),
+        (("-p", "dust", "--hours", "3", "--set", "tau_growth=much"), "much"),
+        (("-p", "dust", "--hours", "3", "--set", "tau_growth=-1"), "outside"),
+        (("-p", "dust", "--hours", "3", "--set", "hours=4"), "--hours"),
+        (("-p", "dust", "--hours", "3", "--from", "slate.json"), "does not change with time"),
+        (("-p", "dust", "--hours", "3", "--given", "middle"), "start"),
+        (("-p", "dust", "--hours", "3", "-o", "."), "folder"),
+        (("-p", "dust", "--hours", "3", "-o", "slate.json/aged.json"), "cannot be written"),
+    ],
+)
+def test_wrong_ageing_is_explained(motes: Run, slate: Path, arguments: tuple[str, ...], words: str) -> None:
+    before = slate.read_bytes()
+    status, out, err = motes("age", slate, *arguments)
+    assert (status, out) == (2, "")
+    assert words in " ".join(message(err))
+    assert [p.name for p in Path().iterdir()] == ["slate.json"]
+    assert slate.read_bytes() == before
 
 
 # ---------------------------------------------------------------- info
@@ -283,22 +532,54 @@ def test_simulate_overwrites_nothing(motes: Run) -> None:
     assert [p.name for p in Path().rglob("*")] == ["s", "precious"]
 
 
-def test_demo_finds_the_true_parameters(motes: Run) -> None:
+def test_simulate_lets_something_happen(motes: Run) -> None:
+    small = ("--scans", 3, "--step-deg", 10, "--hours", 8, "--noise", 0)
+    dusty = ("--phenomenon", "dust", "--set", "tau_growth=2")
+    facts = json.loads(motes("simulate", "a", "--model", "lambert(K_d=0.1)", *dusty, *small, "--json")[1])
+    assert (facts["name"], facts["process"]) == ("lambert(K_d=0.1)", "dust")
+    data, truth = read("a"), age(Lambert(0.1), "dust", hours=8, tau_growth=2)
+    for k, hours in enumerate(data.times):
+        expected = np.broadcast_to(truth.at(float(hours)).eval(data.wi, data.wo), data.values[k].shape)
+        np.testing.assert_allclose(data.values[k], expected, rtol=1e-5)
+    assert np.all(data.values[2] != data.values[0])
+    for name in PHENOMENA:  # each has a surface of its own
+        assert motes("simulate", name, "--phenomenon", name, *small)[0] == 0
+        assert read(name).n_times == 3
+
+
+def test_demo_finds_the_truth(motes: Run) -> None:
     status, out, err = motes("demo", "-o", "out", "--json")
     result = json.loads(out)
     assert (status, err) == (0, "")
     for name, true in result["truth"].items():
-        parameter = result["parameters"][name]
-        assert np.all(np.abs(np.subtract(parameter["value"], true)) < 4 * np.array(parameter["stderr"])), name
-    assert result["metrics"]["relative_rms"] == pytest.approx(0.02, abs=0.002)
+        trend = result["trends"][name]
+        assert trend["kind"] == true["kind"], name
+        for index, end in ((0, "first"), (-1, "last")):
+            off = np.subtract(trend["values"][index], true[end])
+            assert np.all(np.abs(off) < 4.5 * np.array(trend["stderr"][index])), (name, end)
+    times = {("K_d", "middle"), ("K_d", "width"), ("K_s", "time_constant")}
+    for name, coefficient in times:
+        true = result["truth"][name]["coefficients"][coefficient]
+        assert result["trends"][name]["coefficients"][coefficient] == pytest.approx(true, rel=0.02)
+    assert result["metrics"]["relative_rms"] == pytest.approx(0.02, abs=0.001)
     page = Path(result["files"]["report.html"]).read_text()
     assert "dusty plaster" in page
-    # again, over itself
+    assert 'id="trends"' in page
+    # again, over itself, one scan alone
     status, out, _ = motes("demo", "-o", "out", "--time", "-1")
     assert status == 0
     assert "11 (at 6 h) of 12" in out
     assert "true" in out
     assert str(Path("out/report.html")) in out
+
+
+def test_the_truth_of_the_demo_is_that_of_the_plaster() -> None:
+    truth = true_trends(6.0)
+    assert set(truth) == set(TRENDS)
+    for name, true in truth.items():
+        trend = Trend(true["kind"], true["coefficients"], (0.0, 6.0))
+        for hours in np.linspace(0, 6, 13):
+            np.testing.assert_allclose(trend(hours), TRENDS[name](float(hours)), rtol=1e-12, err_msg=name)
 
 
 def test_demo_spares_what_it_did_not_write(motes: Run) -> None:
@@ -326,6 +607,16 @@ def test_demo_spares_what_it_did_not_write(motes: Run) -> None:
         (("fit", "{rock}", "--fix", "sigma_d"), "NAME=VALUE"),
         (("fit", "{rock}", "--fix", "sigma_d=rough"), "rough"),
         (("fit", "{rock}", "-m", "lambert", "--fix", "sigma_d=1"), "sigma_d"),
+        (("fit", "{rock}", "--trend", "K_d"), "NAME=VALUE"),
+        (("fit", "{rock}", "--trend", "K_d=cubical"), "monotone_spline"),
+        (("fit", "{rock}", "--trend", "K_d=cubic", "--trend", "K_d=linear"), "twice"),
+        (("fit", "{rock}", "-m", "lambert", "--trend", "K_s=linear"), "K_s"),
+        (("fit", "{rock}", "--time", "0", "--trend", "K_d=linear"), "one time has no trend"),
+        (("fit", "{rock}", "--max-theta-deg", "91"), "degrees"),
+        (("fit", "{rock}", "--max-theta-deg", "1"), "usable"),
+        (("fit", "{rock}", "--read", "times=0,1,1"), "does not increase"),
+        (("fit", "{rock}", "--read", "times=0,2,1"), "does not increase"),
+        (("fit", "{rock}", "--read", "times=0,2"), "3 scans"),
         (("fit", "{rock}", "--model", "phong"), "phong"),
         (("fit", "{rock}", "--model", "oren_nayar(sigma_d=20)"), "degrees"),
         (("fit", "{rock}", "--sample", "3"), "sample"),
@@ -338,6 +629,13 @@ def test_demo_spares_what_it_did_not_write(motes: Run) -> None:
         (("simulate", "s", "--model", "lambert", "--material", "m.json"), "--material"),
         (("simulate", "s", "--model", "lambert(K_d=-1)"), "K_d"),
         (("simulate", "s", "--material", "{rock}/tvBrdf-info.txt"), "JSON"),
+        (("simulate", "s", "--phenomenon", "rain"), "drying_paint"),
+        (("simulate", "s", "--set", "tau_growth=1"), "--phenomenon"),
+        (("simulate", "s", "--phenomenon", "dust", "--set", "tau=1"), "tau_growth"),
+        (("age", "{rock}", "-p", "dust", "--hours", "3"), "motes fit"),
+        (("age", "nowhere.json", "-p", "dust"), "does not exist"),
+        (("age", "{rock}/tvBrdf-info.txt", "-p", "dust"), "JSON"),
+        (("age", "m.json"), "--phenomenon"),
         (("demo", "--time", "12"), "12 time"),
     ],
 )
@@ -386,7 +684,7 @@ def test_help_lists_the_commands(motes: Run) -> None:
     for arguments in ((), ("--help",), ("-h",)):
         status, out, err = motes(*arguments)
         assert (status, err) == (0, "")
-        assert all(command in out for command in ("fit", "info", "simulate", "demo"))
+        assert all(command in out for command in ("fit", "info", "age", "simulate", "demo"))
 
 
 def test_version_is_that_of_the_package(motes: Run) -> None:
@@ -413,7 +711,17 @@ def commands() -> dict[str, set[str]]:
 def test_every_command_and_option_is_documented() -> None:
     page = DOCS.read_text()
     known = commands()
-    assert set(known) == set(re.findall(r"^## motes (\w+)$", page, re.MULTILINE)) == {"fit", "info", "simulate", "demo"}
+    assert (
+        set(known)
+        == set(re.findall(r"^## motes (\w+)$", page, re.MULTILINE))
+        == {
+            "age",
+            "demo",
+            "fit",
+            "info",
+            "simulate",
+        }
+    )
     for name, options in known.items():
         section = page.partition(f"## motes {name}\n")[2].partition("\n## ")[0]
         documented = {

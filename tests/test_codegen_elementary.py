@@ -16,7 +16,12 @@ numba = pytest.importorskip("numba")
 from motes.codegen import elementary  # noqa: E402
 from motes.codegen.numba import functions  # noqa: E402
 
-STATED = {"exp": 1.5, "expm1": 2.5, "asin_near": 1.0, "asin": 3.0}  # units in the last place, as in the table of the module
+STATED = {
+    "exp": 1.5,
+    "expm1": 2.5,
+    "asin_near": 1.0,
+    "asin": 3.0,
+}  # units in the last place, as in the table of the module
 EXACT = {"exp": mp.exp, "expm1": mp.expm1, "asin_near": mp.asin, "asin": mp.asin}
 WIDE = {"exp": np.exp, "expm1": np.expm1, "asin_near": np.arcsin, "asin": np.arcsin}
 LARGEST_EXP = {"float32": 88.72283, "float64": 709.782712893384}
@@ -29,8 +34,13 @@ names = pytest.mark.parametrize("name", STATED)
 @functools.cache
 def compiled(scalar: str) -> dict[str, Callable[[NDArray[Any]], NDArray[Any]]]:
     """The functions over arrays, as kernels use them: inlined in a loop."""
-    text = functions(scalar) + "\n\n" + "\n\n".join(
-        f"@numba.njit(**options)\ndef loop_{name}(x, y):\n    for n in range(len(x)):\n        y[n] = {name}(x[n])\n" for name in STATED
+    text = (
+        functions(scalar)
+        + "\n\n"
+        + "\n\n".join(
+            f"@numba.njit(**options)\ndef loop_{name}(x, y):\n    for n in range(len(x)):\n        y[n] = {name}(x[n])\n"
+            for name in STATED
+        )
     )
     module: dict[str, Any] = {"__name__": "elementary_under_test"}
     exec(text, module)
@@ -139,7 +149,9 @@ def test_the_split_of_ln2_is_exact_enough() -> None:
     with mp.workdps(40):
         for precision in (elementary.FLOAT32, elementary.FLOAT64):
             high, low = (np.dtype(precision.name).type(x) for x in precision.ln2)
-            k = 2**precision.bias.bit_length()
-            assert mp.mpf(float(high)) * k == mp.mpf(float(high * high.dtype.type(k))), "k times the first part is exact"
+            k = 2 ** precision.bias.bit_length()
+            assert mp.mpf(float(high)) * k == mp.mpf(float(high * high.dtype.type(k))), (
+                "k times the first part is exact"
+            )
             error = abs(mp.log(2) - mp.mpf(float(high)) - mp.mpf(float(low))) * k
             assert error < 0.1 * np.finfo(precision.name).eps

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
+
 from catalogue import ENTRIES, Entry, reference
 from engine_support import cache_folder  # noqa: F401 (a fixture)
 
@@ -35,7 +36,9 @@ def test_a_minimum_behind_a_term_with_the_same_inputs_needs_none() -> None:
     a, b = graph.leaf("a"), graph.leaf("b")
     smaller = graph.minimum(a, b)
     assert careful([smaller + a * b], [a, b]) == set()
-    assert careful([smaller + b], [a, b]) == set(), "a NaN of a comes through the minimum, one of b through the other term"
+    assert careful([smaller + b], [a, b]) == set(), (
+        "a NaN of a comes through the minimum, one of b through the other term"
+    )
     assert careful([graph.minimum(a, 1.0), graph.maximum(0.0, b)], [a, b]) == set(), "a constant is no NaN"
     assert careful([smaller], [a]) == set(), "b is no input that may be NaN"
     assert careful([smaller + a * b, smaller], [a, b]) == {smaller}, "the second output shows it"

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from catalogue import ENTRIES, SPECIAL_WI, SPECIAL_WO, Entry, reference, upper_directions
 from numpy.typing import NDArray
 
+from catalogue import ENTRIES, SPECIAL_WI, SPECIAL_WO, Entry, reference, upper_directions
 from motes.codegen.numpy import residual_function
 from motes.models import BRDF, DustLayer, Lambert, OrenNayar, TorranceSparrow
 
@@ -18,7 +18,8 @@ WO = np.concatenate([upper_directions(40, 4), SPECIAL_WO])
 def stacked(model: BRDF, sets: int = 1) -> dict[str, NDArray[np.float64]]:
     """The values of a model's parameters, `sets` times: (B, 1, C) or (B, 1, 1)."""
     return {
-        slot.name: np.repeat(np.reshape(np.asarray(slot.value, float), (1, 1, -1)), sets, axis=0) for slot in model.slots()
+        slot.name: np.repeat(np.reshape(np.asarray(slot.value, float), (1, 1, -1)), sets, axis=0)
+        for slot in model.slots()
     }
 
 
@@ -53,7 +54,9 @@ def test_derivatives_match_differences(entry: Entry) -> None:
 def test_many_sets_at_once_are_each_on_its_own() -> None:
     model = DustLayer(OrenNayar((0.8, 0.7, 0.6)) + TorranceSparrow())
     rng = np.random.default_rng(5)
-    parameters = {name: value * rng.uniform(0.5, 1.1, (6, *value.shape[1:])) for name, value in stacked(model, 6).items()}
+    parameters = {
+        name: value * rng.uniform(0.5, 1.1, (6, *value.shape[1:])) for name, value in stacked(model, 6).items()
+    }
     function = residual_function(model, ["K_d", "K_s", "tau"])
     geometry = function.geometry(WI, WO)
     f, jacobian = function.values_and_jacobian(geometry, parameters)

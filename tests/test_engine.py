@@ -10,10 +10,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
+
 from catalogue import ENTRIES, SPECIAL_WI, SPECIAL_WO, jax_in_float64, reference, upper_directions
 from engine_support import cache_folder, risky_pairs  # noqa: F401 (a fixture)
 from golden import appendices
-from numpy.typing import NDArray
 
 pytest.importorskip("numba")
 
@@ -46,7 +47,9 @@ def errors(found: NDArray[Any], expected: NDArray[np.float64]) -> NDArray[np.flo
     return np.abs(found - expected) / np.maximum(np.abs(expected), FLOOR)
 
 
-def close(found: NDArray[Any], expected: NDArray[np.float64], tolerance: float, wi: NDArray[Any], wo: NDArray[Any]) -> bool:
+def close(
+    found: NDArray[Any], expected: NDArray[np.float64], tolerance: float, wi: NDArray[Any], wo: NDArray[Any]
+) -> bool:
     larger_cosine = np.maximum(np.maximum(wi[:, 2:], wo[:, 2:]), 1e-4)
     rounding = GRAZING * float(np.finfo(found.dtype).eps) / larger_cosine
     size = np.abs(expected)
@@ -107,7 +110,10 @@ def test_special_directions_are_as_in_numpy(model: BRDF) -> None:
 @models
 @pytest.mark.parametrize("scalar", [np.float32, np.float64])
 def test_nan_comes_out_where_numpy_has_it(model: BRDF, scalar: type) -> None:
-    base = [*zip(upper_directions(3, 5), upper_directions(3, 6), strict=True), *zip(SPECIAL_WI, SPECIAL_WO, strict=True)]
+    base = [
+        *zip(upper_directions(3, 5), upper_directions(3, 6), strict=True),
+        *zip(SPECIAL_WI, SPECIAL_WO, strict=True),
+    ]
     pairs = []
     for wi, wo in base:
         for mask in itertools.product([False, True], repeat=6):
@@ -197,7 +203,16 @@ def test_rows_in_rows_out() -> None:
 
 @pytest.mark.parametrize(
     ("first", "second"),
-    [((), ()), ((), (40,)), ((40,), ()), ((1,), (40,)), ((5, 1), (1, 7)), ((5, 7), (7,)), ((2, 1, 3), (4, 1)), ((1, 1), (1, 1))],
+    [
+        ((), ()),
+        ((), (40,)),
+        ((40,), ()),
+        ((1,), (40,)),
+        ((5, 1), (1, 7)),
+        ((5, 7), (7,)),
+        ((2, 1, 3), (4, 1)),
+        ((1, 1), (1, 1)),
+    ],
 )
 def test_directions_broadcast(first: tuple[int, ...], second: tuple[int, ...]) -> None:
     wi = upper_directions(int(np.prod(first)), 15).reshape(*first, 3)
@@ -268,7 +283,8 @@ def test_engine_is_available() -> None:
 def varying_model() -> BRDF:
     rng = np.random.default_rng(19)
     return DustLayer(
-        OrenNayar(K_d=rng.uniform(0.1, 0.9, (40, 3)), sigma_d=rng.uniform(0.1, 0.9, 40)) + TorranceSparrow(0.3, rng.uniform(0.1, 0.3, (40,))),
+        OrenNayar(K_d=rng.uniform(0.1, 0.9, (40, 3)), sigma_d=rng.uniform(0.1, 0.9, 40))
+        + TorranceSparrow(0.3, rng.uniform(0.1, 0.3, (40,))),
         Dust(w=rng.uniform(0.1, 0.9, (40, 1)), g=0.3),
         tau=0.2,
     )
@@ -326,7 +342,9 @@ def test_gradients_match_differences(name: str) -> None:
         for index in np.ndindex(value.shape):
             step = np.zeros_like(value)
             step[index] = 1e-5
-            high, low = (objective(model.with_parameters({slot.name: value + h}), wi, wo, upstream) for h in (step, -step))
+            high, low = (
+                objective(model.with_parameters({slot.name: value + h}), wi, wo, upstream) for h in (step, -step)
+            )
             np.testing.assert_allclose(gradients[slot.name][index], (high - low) / 2e-5, rtol=1e-6, atol=1e-6)
 
 
@@ -353,7 +371,9 @@ def test_gradients_match_jax() -> None:
             geometry = Geometry(xp, Vector.of(jax.numpy.asarray(wi)), Vector.of(jax.numpy.asarray(wo)))
             return (DUSTY.with_parameters(values).value(xp, geometry) * upstream).sum()
 
-        expected = jax.jit(jax.grad(loss))({s.name: jax.numpy.asarray(np.asarray(s.value, float)) for s in DUSTY.slots()})
+        expected = jax.jit(jax.grad(loss))(
+            {s.name: jax.numpy.asarray(np.asarray(s.value, float)) for s in DUSTY.slots()}
+        )
         gradients = engine.vjp(DUSTY, wi, wo, upstream)
         for name, value in expected.items():
             np.testing.assert_allclose(gradients[name], np.asarray(value), rtol=1e-10, atol=1e-12, err_msg=name)
@@ -381,12 +401,37 @@ def test_gradients_by_parameters_that_vary() -> None:
     each = []
     for k in range(40):  # by the kernel of DUSTY, which has a w for each channel
         one = one_of(model, k)
-        each.append(engine.vjp(one.with_parameters({"w": np.repeat(one.parameters["w"], 3)}), wi[k], wo[k], upstream[k]))
+        each.append(
+            engine.vjp(one.with_parameters({"w": np.repeat(one.parameters["w"], 3)}), wi[k], wo[k], upstream[k])
+        )
     for slot in model.slots():
         stack = np.stack([one[slot.name] for one in each])
         stack = stack.sum(-1, keepdims=True) if slot.name == "w" else stack
         expected = stack if np.ndim(slot.value) > slot.parameter.per_channel else stack.sum(0)
         np.testing.assert_allclose(gradients[slot.name], expected.reshape(np.shape(slot.value)), rtol=1e-10, atol=1e-13)
+
+
+def test_gradients_are_summed_over_the_axes_along_which_a_parameter_is_broadcast() -> None:
+    rng = np.random.default_rng(50)
+    wi, wo = upper_directions(20, 51).reshape(4, 5, 3), upper_directions(5, 52)
+    upstream = rng.normal(size=(4, 5, 3))
+    for shape in ((5,), (4, 1), (4, 5), (1, 5)):
+        value = rng.uniform(0.1, 0.9, shape)
+        found = engine.vjp(DUSTY.with_parameters({"tau": value}), wi, wo, upstream)["tau"]
+        whole = engine.vjp(DUSTY.with_parameters({"tau": np.broadcast_to(value, (4, 5))}), wi, wo, upstream)["tau"]
+        axes = tuple(k for k, n in enumerate(((1,) * (2 - len(shape))) + shape) if n == 1)
+        assert found.shape == shape
+        np.testing.assert_allclose(found, whole.sum(axis=axes, keepdims=True).reshape(shape), rtol=1e-12)
+        for index in ((0,) * len(shape), (-1,) * len(shape)):
+            step = np.zeros(shape)
+            step[index] = 1e-6
+            high, low = (objective(one_axis_more(DUSTY, value + h), wi, wo, upstream) for h in (step, -step))
+            np.testing.assert_allclose(found[index], (high - low) / 2e-6, rtol=1e-6, atol=1e-8)
+
+
+def one_axis_more(model: BRDF, tau: NDArray[np.float64]) -> BRDF:
+    """With an axis for the channels, which the equations over NumPy broadcast against."""
+    return model.with_parameters({"tau": tau[..., None]})
 
 
 def test_an_upstream_broadcasts() -> None:
@@ -441,8 +486,8 @@ def test_several_threads_may_call_at_once() -> None:
     assert not any(thread.is_alive() for thread in threads)
 
 
-def in_child(queue: Any, wi: NDArray[Any], wo: NDArray[Any]) -> None:
-    queue.put(engine.evaluate(DUSTY, wi, wo))
+def in_child(pipe: Any, wi: NDArray[Any], wo: NDArray[Any]) -> None:
+    pipe.send(engine.evaluate(DUSTY, wi, wo))
 
 
 @pytest.mark.skipif(sys.platform in ("win32", "darwin"), reason="the platform does not fork")
@@ -452,12 +497,15 @@ def test_a_forked_process_has_an_engine_of_its_own(monkeypatch: pytest.MonkeyPat
     wi, wo = upper_directions(3 * engine.CHUNK, 45), upper_directions(3 * engine.CHUNK, 46)
     expected = engine.evaluate(DUSTY, wi, wo)  # the parent has its threads now
     context = multiprocessing.get_context("fork")
-    queue = context.SimpleQueue()
-    child = context.Process(target=in_child, args=(queue, wi, wo))
+    ours, theirs = context.Pipe()
+    child = context.Process(target=in_child, args=(theirs, wi, wo))
     child.start()
-    found = queue.get()
-    child.join(30)
-    assert child.exitcode == 0
+    answered = ours.poll(60)
+    found = ours.recv() if answered else None
+    if not answered:
+        child.kill()
+    child.join()
+    assert answered, "the child waits for threads that only its parent has"
     np.testing.assert_array_equal(found, expected)
 
 

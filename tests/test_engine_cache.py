@@ -136,7 +136,10 @@ print(float(engine.evaluate(Lambert(0.5), up, up).item()))
 """
     run = [sys.executable, "-W", "error", "-c", program]
     environment = os.environ | {"MOTES_CACHE": str(fresh)}
-    both = [subprocess.Popen(run, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment) for _ in range(2)]
+    both = [
+        subprocess.Popen(run, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)
+        for _ in range(2)
+    ]
     for process in both:
         output, complaint = process.communicate(timeout=120)
         assert process.returncode == 0, complaint

@@ -195,7 +195,6 @@ class _Job:
         self.chunks = -(-self.count // CHUNK)
         self.wi, self.wo = (self._flat(w) for w in (wi, wo))
         self.varying = tuple(name for name, shape in batches.items() if np.prod(shape) != 1)
-        self.split = tracing.split_slots(model, self.channels)
 
     def _flat(self, w: Array) -> Array:
         """Directions as (N, 3), without a copy where strides can say it."""
@@ -326,7 +325,7 @@ def _forked() -> None:
 
 
 if hasattr(os, "register_at_fork"):
-    pass
+    os.register_at_fork(after_in_child=_forked)
 
 
 # ---------------------------------------------------------------- kernels

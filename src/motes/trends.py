@@ -253,7 +253,7 @@ class Trend:
     bounds
         Of the parameter; extrapolated values stay inside.
     covariance
-        Of the flat coefficients (see `flat`), or None.
+        Of the flat coefficients (see `flat`), or None; NaN for those that are at a bound or not determined.
     """
 
     kind: str
@@ -276,6 +276,29 @@ class Trend:
         values = {name: np.asarray(self.coefficients[name], float) for name in expected}
         if not all(np.isfinite(v).all() for v in values.values()):
             raise ParameterError(f"a coefficient of a {self.kind} trend is not finite: {dict(self.coefficients)}")
+        widths = {v.shape for v in values.values() if v.ndim}
+        if len(widths) > 1 or any(len(w) != 1 or w[0] == 0 for w in widths):
+            raise ParameterError(
+                f"the coefficients of a {self.kind} trend have the shapes {', '.join(str(v.shape) for v in values.values())}",
+                "Give numbers, or as many values for each as there are channels",
+            )
+        for c in KINDS[self.kind].coefficients:
+            value = values[c.name]
+            if c.bounds and value.ndim:
+                raise ParameterError(
+                    f"{c.name} of a {self.kind} trend has the shape {value.shape}", f"It is one number: {c.doc}"
+                )
+            if c.name in ("time_constant", "width") and not value > 0:
+                raise ParameterError(
+                    f"{c.name} of a {self.kind} trend is {value:g} h, not above 0", f"It is the {c.doc}"
+                )
+            if c.bounds and not c.is_time and not 0 <= value <= 1:
+                raise ParameterError(
+                    f"{c.name} of a {self.kind} trend is {value:g}, outside [0, 1]", f"It is the {c.doc}"
+                )
+        low, high = self.bounds
+        if not low <= high:
+            raise ParameterError(f"the bounds {low:g} to {high:g} of a trend are the wrong way round")
         object.__setattr__(self, "coefficients", {name: v if v.ndim else float(v) for name, v in values.items()})
 
     @property
@@ -300,13 +323,17 @@ class Trend:
         return (ahead - behind) / (2 * step)
 
     def stderr(self, hours: ArrayLike) -> Floats:
-        """One standard error of the value at times [h], from `covariance`; NaN without one."""
+        """One standard error of the value at times [h], from `covariance`; NaN without one, or where it knows nothing.
+
+        Coefficients at a bound, or not determined, count as known.
+        """
         t = np.atleast_1d(np.asarray(hours, float))
         value, jacobian = self._evaluated(t)
-        if self.covariance is None:
+        if self.covariance is None or not np.isfinite(self.covariance).any():
             return np.full(value.shape, np.nan)
+        covariance = np.where(np.isfinite(self.covariance), self.covariance, 0.0)
         rows = flat_jacobian(self, jacobian, value.shape)  # (T[, C], K)
-        return np.sqrt(np.maximum(np.einsum("...k,kl,...l->...", rows, self.covariance, rows), 0))
+        return np.sqrt(np.maximum(np.einsum("...k,kl,...l->...", rows, covariance, rows), 0))
 
     def to_dict(self) -> dict[str, Any]:
         """Plain JSON values."""
@@ -315,7 +342,9 @@ class Trend:
             "coefficients": {name: np.asarray(v).tolist() for name, v in self.coefficients.items()},
             "interval_h": list(self.interval),
             "bounds": [b if np.isfinite(b) else None for b in self.bounds],
-            "covariance": None if self.covariance is None else self.covariance.tolist(),
+            "covariance": None
+            if self.covariance is None
+            else [[float(v) if np.isfinite(v) else None for v in row] for row in self.covariance],
         }
 
     @classmethod

@@ -72,7 +72,7 @@ def age(
             ("material", f"{aged.name}: {describe(aged.brdf)}"),
             (
                 "what happens",
-                f"{phenomenon.replace('_', ' ')}{course}, {first:g} to {last:g} h; given at the {step['given']}",
+                f"{phenomenon.replace('_', ' ')}{course}, {first:g} to {last:g} h; at the {step['given']} it is as given",
             ),
         ]
         console.print_facts(rows)

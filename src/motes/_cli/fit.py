@@ -84,6 +84,14 @@ def fit(
 
     held = numbers(fix, "--fix")
     kinds = {name: str(kind) for name, kind in assignments(trend, "--trend").items()}
+    if kinds:
+        from motes.trends import KINDS
+
+        for name, kind in kinds.items():
+            if kind not in KINDS:
+                raise MotesError(
+                    f"--trend {name}={kind}: that is not a kind of trend", f"Choose one of {', '.join(KINDS)}"
+                )
     if max_theta_deg is not None and not 0 < max_theta_deg <= 90:
         raise MotesError(
             f"--max-theta-deg {max_theta_deg:g} is outside (0, 90] degrees", "80 leaves out grazing angles"
@@ -165,14 +173,13 @@ def fit_and_write(
             about["time"] = {"index": index, "of": measurement.n_times, "at": at, "unit": measurement.time_unit}
         console.print_json({**result.to_dict(), **about})
     elif not common.quiet:
-        if isinstance(result, TimeFit):
-            _show_trends(result, truth)
-        else:
-            _show(result, measurement, index or 0, why, truth)
         rows = [("written", f"{folder}/: {', '.join(names)}")]
         if "report.html" in names:
             rows.append(("look at", str(folder / "report.html")))
-        console.print_facts(rows)
+        if isinstance(result, TimeFit):
+            _show_trends(result, truth, rows)
+        else:
+            _show(result, measurement, index or 0, why, truth, rows)
     if not result.status.ok:
         console.warn(f"the fit did not converge ({result.status}); its numbers are not to be trusted")
         return NOT_CONVERGED
@@ -198,9 +205,14 @@ def _which(measurement: Measurement, time: int | None, kinds: dict[str, str]) ->
     usable = np.flatnonzero(measurement.mask.any(axis=(1, 2)))
     if n > 1 and len(usable) == 1:
         return int(usable[0]), "the only scan with usable samples: fitted alone, since a trend needs two"
-    if n == 1 or not len(usable):
+    if n == 1:
         series = measurement.provenance.get("format") == "tvbrdf"
-        return 0, "one scan only: fitted alone, since a trend needs several" if n == 1 and series else ""
+        return 0, "one scan only: fitted alone, since a trend needs several" if series else ""
+    if not len(usable):
+        reasons = ", ".join(f"{count} {reason}" for reason, count in measurement.masked.items())
+        raise DataError(
+            f"none of the {measurement.mask.size} samples in {n} scans is usable: {reasons}", "motes info says more"
+        )
     return None, ""
 
 
@@ -212,7 +224,9 @@ def _about_times(measurement: Measurement) -> list[str]:
     return [f"{note} with --read times=0,0.5,1" for note in notes] or ["the times of the scans are not known"]
 
 
-def _show(result: Fit, measurement: Measurement, index: int, why: str, truth: dict[str, Any] | None) -> None:
+def _show(
+    result: Fit, measurement: Measurement, index: int, why: str, truth: dict[str, Any] | None, written: list[Row]
+) -> None:
     from motes._cli import console
     from motes._cli.tables import parameter_table, verdict_notes
 
@@ -229,10 +243,10 @@ def _show(result: Fit, measurement: Measurement, index: int, why: str, truth: di
     console.print_table(parameter_table(result, truth))
     print()
     effort = f"{result.n_starts} start{'s' if result.n_starts > 1 else ''}, {result.seconds:.2f} s"
-    console.print_facts([*verdict_notes(result), *_ending(result, effort)])
+    console.print_facts([*verdict_notes(result), *_ending(result, effort), *written])
 
 
-def _show_trends(result: TimeFit, truth: dict[str, Any] | None) -> None:
+def _show_trends(result: TimeFit, truth: dict[str, Any] | None, written: list[Row]) -> None:
     from motes._cli import console
     from motes._cli.tables import coefficient_table, trend_notes, trend_table
 
@@ -251,7 +265,7 @@ def _show_trends(result: TimeFit, truth: dict[str, Any] | None) -> None:
         console.print_table(coefficient_table(result, truth))
     print()
     coefficients = f"{int(result.metrics['n_coefficients'])} coefficients, {result.seconds:.2f} s"
-    console.print_facts([*trend_notes(result), *_ending(result, coefficients)])
+    console.print_facts([*trend_notes(result), *_ending(result, coefficients), *written])
 
 
 def _size(data: Measurement) -> str:

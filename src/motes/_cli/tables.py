@@ -91,35 +91,43 @@ def trend_table(fit: TimeFit, truth: dict[str, Any] | None = None) -> Table:
 
     `truth` holds, by name, a dictionary with the true ``kind``, and the values ``first`` and ``last``.
     """
+    wide = console_width() >= WIDE
     table = _table()
     table.add_column("channel", no_wrap=True)
     table.add_column("trend", no_wrap=True)
     for heading in ("first", "last"):
         table.add_column(heading, justify="right", no_wrap=True)
-    table.add_column("unit")
-    if truth:
-        table.add_column("true trend")
-        for heading in ("first", "last"):
-            table.add_column(f"true {heading}", justify="right", no_wrap=True)
-    table.add_column("verdict")
+    if wide:
+        table.add_column("unit")
+    if truth and wide:
+        table.add_column("true trend", no_wrap=True)
+    for heading in ("first", "last") if truth else ():
+        table.add_column(f"true {heading}", justify="right", no_wrap=True)
+    if wide or not truth:
+        table.add_column("verdict")
     for name, rows in _by_name(fit.table()).items():
         t = fit.trends[name]
-        true = (truth or {}).get(name)
         if len(rows) > MOST_CHANNELS:
             first, last = (_numbers(v) for v in t.band(fit.hours[[0, -1]])[0])
             rows = [{**rows[0], "channel": "", "first": first, "last": last}]
         for k, row in enumerate(rows):
+            ends = [row["first"], row["last"]]
+            if not wide:  # the errors need much room
+                ends = [end.partition(" ±")[0] for end in ends]
             cells = [
                 clean(row["channel"]),
                 _spaced(row["trend"]) if k == 0 else "",
-                row["first"],
-                row["last"],
-                row["unit"],
+                *ends,
+                *([row["unit"]] if wide else []),
             ]
+            true = (truth or {}).get(name)
+            if truth and wide:
+                cells.append(_spaced(true["kind"]) if true and k == 0 else "")
             if truth:
-                cells += [_spaced(true["kind"]) if true and k == 0 else ""]
                 cells += [f"{np.ravel(true[end])[k]:.4g}" if true else "" for end in ("first", "last")]
-            table.add_row(name if k == 0 else "", *cells, row["verdict"].partition(":")[0] if k == 0 else "")
+            if wide or not truth:
+                cells.append(row["verdict"].partition(":")[0] if k == 0 else "")
+            table.add_row(name if k == 0 else "", *cells)
     return table
 
 
@@ -133,13 +141,14 @@ def coefficient_table(fit: TimeFit, truth: dict[str, Any]) -> Table:
 
     for name, t in fit.trends.items():
         start = 0
-        variance = np.zeros(10**4) if t.trend.covariance is None else np.diag(t.trend.covariance)
+        covariance = t.trend.covariance
         for c in KINDS[t.trend.kind].coefficients:
             value = t.trend.coefficients[c.name]
             true = truth.get(name, {})
             if c.is_time:
                 same = true.get("kind") == t.trend.kind
-                texts = with_error(float(value), float(np.sqrt(variance[start])))
+                error = 0.0 if covariance is None else float(np.sqrt(covariance[start, start]))
+                texts = with_error(float(value), error)
                 known = f"{true['coefficients'][c.name]:.4g}" if same else ""
                 table.add_row(name, c.name, " ± ".join(x for x in texts if x), fit.measurement.time_unit, known)
             start += np.size(value)
@@ -158,13 +167,16 @@ def trend_notes(fit: TimeFit) -> list[tuple[str, str]]:
 def material_trends(material: Material) -> Table:
     """A row a parameter that follows time: kind, the values at both ends of the interval, coefficients that are times."""
     table = _table()
-    for heading in ("trend", "first", "last", "unit", "times [h]", "meaning"):
+    wide = console_width() >= WIDE
+    for heading in ("trend", "first", "last", "unit", "times [h]", *(("meaning",) if wide else ())):
         table.add_column(heading)
     slots = {slot.name: slot.parameter for slot in material.brdf.slots()}
     for name, trend in material.trends.items():
         ends = trend(np.asarray(trend.interval))
-        cells = [_spaced(trend.kind), _numbers(ends[0]), _numbers(ends[-1]), slots[name].unit, _times(trend)]
-        table.add_row(name, *cells, slots[name].doc)
+        separator = ", " if wide else "\n"
+        first, last = (_numbers(end, separator) for end in (ends[0], ends[-1]))
+        cells = [_spaced(trend.kind), first, last, slots[name].unit, _times(trend)]
+        table.add_row(name, *cells, *([slots[name].doc] if wide else []))
     return table
 
 
@@ -175,7 +187,7 @@ def _times(trend: AnyTrend) -> str:
     if isinstance(trend, Tabulated):
         return f"{len(trend.hours)} of them"
     named = [(c.name, trend.coefficients[c.name]) for c in KINDS[trend.kind].coefficients if c.is_time]
-    return ", ".join(f"{_spaced(name)} {value:.4g}" for name, value in named)
+    return "\n".join(f"{_spaced(name)} {value:.4g}" for name, value in named)
 
 
 def _spaced(kind: str) -> str:

@@ -145,7 +145,7 @@ def asin(x):
     """By asin(x) = pi/2 - asin(sqrt(1 - x^2)) where x > sin(pi/4)."""
     a = select(x < F(0.0), -x, x)
     far = a > F(0.70715)
-    y = asin_near(select(far, math.sqrt((F(1.0) - a) * (F(1.0) + a)), a))
+    y = asin_near(select(far, sqrt((F(1.0) - a) * (F(1.0) + a)), a))
     y = select(far, F(1.5707963267948966) - y, y)
     return select(x < F(0.0), -y, y)
 '''
@@ -160,7 +160,7 @@ def horner(coefficients: tuple[float, ...], x: str) -> str:
 
 
 def source(precision: Precision) -> str:
-    """Numba source of the functions; it needs the names F and I (scalar types), `part` (a decorator), `math` and the intrinsics."""
+    """Numba source of the functions; it needs the names F and I (scalar types), `part` (a decorator) and those of the intrinsics."""
     return _TEMPLATE.format(
         lowest=precision.lowest,
         highest=precision.highest,

@@ -70,6 +70,17 @@ def select(typing: Any, condition: Any, a: Any, b: Any) -> Any:
 
 
 @intrinsic
+def sqrt(typing: Any, x: Any) -> Any:
+    """The processor's square root; math.sqrt calls libm for negative numbers."""
+
+    def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        function = builder.module.declare_intrinsic("llvm.sqrt", [args[0].type])
+        return builder.call(function, args)
+
+    return x(x), generate
+
+
+@intrinsic
 def add_in_any_order(typing: Any, total: Any, term: Any) -> Any:
     """A term of a sum that may be regrouped into vector lanes; the order is fixed once compiled."""
 
@@ -82,7 +93,7 @@ def add_in_any_order(typing: Any, total: Any, term: Any) -> Any:
 @intrinsic
 def bits_of(typing: Any, x: Any) -> Any:
     """The bits of a float as an integer of its size."""
-    integer = types.int32 if x == types.float32 else types.int64
+    integer: Any = types.int32 if x == types.float32 else types.int64
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         return builder.bitcast(args[0], ir.IntType(integer.bitwidth))
@@ -93,7 +104,7 @@ def bits_of(typing: Any, x: Any) -> Any:
 @intrinsic
 def float_of(typing: Any, x: Any) -> Any:
     """The float that has these bits."""
-    real = types.float32 if x == types.int32 else types.float64
+    real: Any = types.float32 if x == types.int32 else types.float64
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         return builder.bitcast(args[0], context.get_value_type(real))

@@ -32,15 +32,12 @@ _EXTREMA = {
 
 _HEADER = '''"""{title}"""
 
-import math
-
 import numba
 import numpy as np
-from motes.codegen.intrinsics import add_in_any_order, bits_of, float_of, load, select, store
+from motes.codegen.intrinsics import add_in_any_order, bits_of, float_of, load, select, sqrt, store
 
 F, I = np.{scalar}, np.{integer}
 ITEM, TILE = {item}, {tile}
-sqrt = math.sqrt
 # Without nnan and ninf: NaN is to stay NaN.  Without reassoc: range reduction and short sums of long terms depend on their order.
 options = dict(error_model="numpy", fastmath={{"nsz", "arcp", "contract"}})
 part = numba.njit(**options)

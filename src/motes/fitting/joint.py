@@ -26,6 +26,8 @@ from motes.trends import KINDS, Trend, evaluate, flat
 CANDIDATE_KINDS = ("constant", "linear", "exponential", "logistic", "quadratic", "cubic", "monotone_spline")
 
 MOST_CHANGES = 40
+# Reduction of the objective at which a fit stops, and the most iterations: for the fit that trends are first compared at, and for those that compare them.
+ROUGHLY, NEARLY = (1e-4, 20), (1e-7, 60)
 
 
 @dataclass(frozen=True)
@@ -175,9 +177,9 @@ class Joint:
             results.append((scan.objective.sum(), gradient, matrix))
         return Normal(*(np.array(part) for part in zip(*results, strict=True)))
 
-    def solve(self, starts: Floats) -> Solution:
+    def solve(self, starts: Floats, reduction: float = 1e-10, max_iterations: int = 200) -> Solution:
         low, high = self.bounds()
-        return minimize(self.normal, starts, low, high, reduction=1e-9, max_iterations=100)
+        return minimize(self.normal, starts, low, high, reduction=reduction, max_iterations=max_iterations)
 
     @property
     def samples(self) -> int:
@@ -227,6 +229,15 @@ class Alternative:
     kind: str
     delta_bic: float
     trend: Trend
+
+
+def determined(kind: str, scans: int) -> bool:
+    """Whether so many scans can determine a trend of this kind.
+
+    A polynomial may pass through all scans; other laws, which can be wrong, need a scan more.
+    """
+    polynomial = kind in ("constant", "linear", "quadratic", "cubic")
+    return len(KINDS[kind].coefficients) <= scans - (0 if polynomial else 1)
 
 
 class Survey(NamedTuple):
@@ -285,9 +296,13 @@ class Profile:
         self.matrix, self.gradient, self._pick = matrix, gradient, pick
         self.objective = float(scan.objective.sum())
         # Where the scans would like the values to be: the minimum of the quadratic, as far as they say.
-        move = np.linalg.pinv(matrix, rcond=1e-6, hermitian=True) @ gradient
+        eigenvalues, vectors = np.linalg.eigh(matrix)
+        along = vectors.T @ gradient
+        most = eigenvalues.max(initial=0.0)
+        move = vectors @ np.divide(along, eigenvalues, out=np.zeros_like(along), where=eigenvalues > 1e-6 * most)
         # No trend at all, within bounds or not, gets below this objective.
-        self.least = self.objective - 0.5 * float(gradient @ np.linalg.pinv(matrix, 1e-12, hermitian=True) @ gradient)
+        seen = eigenvalues > 1e-12 * most
+        self.least = self.objective - 0.5 * float(np.sum(along[seen] ** 2 / eigenvalues[seen]))
         self.wish = np.clip(self.values - move.reshape(self.values.shape), *self.part.quantity.parameter.fit_bounds)
 
     def inflation(self, noise: float) -> float:
@@ -330,13 +345,13 @@ class Profile:
         return float(solution.normal.objective[best]), solution.x[best]
 
     def compared(self, below: float = math.inf) -> dict[str, tuple[float, Floats]]:
-        """For each candidate kind with fewer coefficients than scans (straight lines need but two): the BIC by the quadratic, and its coefficients.
+        """For each candidate kind that so many scans can tell: the BIC by the quadratic, and its coefficients.
 
         Those that can't have a BIC below `below` are left out.
         """
         table = {}
         for kind in CANDIDATE_KINDS:
-            if len(KINDS[kind].coefficients) > max(2, len(self.joint.scans) - 1):
+            if not determined(kind, len(self.joint.scans)):
                 continue
             parts = tuple(replace(p, kind=kind) if k == self.index else p for k, p in enumerate(self.joint.parts))
             changed = replace(self.joint, parts=parts)
@@ -346,12 +361,14 @@ class Profile:
         return table
 
 
-def inflated(joint: Joint, c: Floats, noise: float) -> tuple[Joint, Survey]:
-    """The joint fit with the inflation of each part at coefficients `c`."""
+def surveyed(joint: Joint, c: Floats, noise: float) -> tuple[Joint, list[Profile]]:
+    """The profiles of all parts at coefficients `c`, and the joint fit with their inflation."""
     at = survey(joint, c)
-    return replace(
-        joint, inflation=tuple(Profile(joint, c, k, at).inflation(noise) for k in range(len(joint.parts)))
-    ), at
+    profiles = [Profile(joint, c, k, at) for k in range(len(joint.parts))]
+    joint = replace(joint, inflation=tuple(p.inflation(noise) for p in profiles))
+    for profile in profiles:
+        profile.joint = joint
+    return joint, profiles
 
 
 def first_guess(
@@ -387,7 +404,7 @@ class Proposal(NamedTuple):
 
 
 def _proposals(
-    joint: Joint, c: Floats, at: Survey, bic: float, fixed_kinds: Mapping[str, str], refused: set[tuple[str, str]]
+    joint: Joint, profiles: list[Profile], bic: float, fixed_kinds: Mapping[str, str], refused: set[tuple[str, str]]
 ) -> list[Proposal]:
     """The best change for each part that promises a smaller BIC, the most promising first."""
     proposals = []
@@ -397,7 +414,7 @@ def _proposals(
             continue
         better = [
             Proposal(guess, index, kind, coefficients)
-            for kind, (guess, coefficients) in Profile(joint, c, index, at).compared(bic).items()
+            for kind, (guess, coefficients) in profiles[index].compared(bic).items()
             if kind != part.kind and guess < bic - 1e-9 and (name, kind) not in refused
         ]
         if better:
@@ -418,9 +435,10 @@ def select(
 ) -> tuple[Joint, Solution, dict[str, list[Alternative]]]:
     """Choose the kind of each trend by BIC: the best single change by the quadratic is fitted in full, until none helps.
 
-    `noise` is the mean square of a weighted residual, by the scans' own fits.  Returns the joint fit, its solution, and for each parameter the alternatives with their distance in BIC.
+    `noise` is the mean square of a weighted residual, by the scans' own fits.  Returns the joint fit, its solution, and for each parameter the
+    alternatives with their distance in BIC.
     """
-    solution = joint.solve(c[None])
+    solution = joint.solve(c[None], *ROUGHLY)
     settled = [
         Proposal(-math.inf, k, kind, Profile(joint, solution.x[0], k, survey(joint, solution.x[0])).fitted(kind)[1])
         for k, part in enumerate(joint.parts)
@@ -428,14 +446,14 @@ def select(
     ]
     if settled:
         joint, c = _changed(joint, solution.x[0], settled)
-        solution = joint.solve(c[None])
+        solution = joint.solve(c[None], *NEARLY)
     refused: set[tuple[str, str]] = set()
     seen: set[tuple[str, ...]] = set()  # the inflation changes with the trends, so that a choice could come round again
     for step in range(MOST_CHANGES):
-        joint, at = inflated(joint, solution.x[0], noise)
+        joint, profiles = surveyed(joint, solution.x[0], noise)
         bic = joint.bic(float(solution.normal.objective[0]))
         seen.add(tuple(p.kind for p in joint.parts))
-        proposals = _proposals(joint, solution.x[0], at, bic, fixed_kinds, refused)
+        proposals = _proposals(joint, profiles, bic, fixed_kinds, refused)
         if not proposals:
             break
         # All at once first; if that is no better, the most promising one.
@@ -443,7 +461,7 @@ def select(
             changed, start = _changed(joint, solution.x[0], chosen)
             if tuple(p.kind for p in changed.parts) in seen:
                 continue
-            tried = changed.solve(start[None])
+            tried = changed.solve(start[None], *NEARLY)
             new_bic = changed.bic(float(tried.normal.objective[0]))
             if progress:
                 words = ", ".join(f"{joint.parts[p.part].quantity.name} {p.kind}" for p in chosen)
@@ -453,13 +471,14 @@ def select(
                 break
         else:
             refused.add((joint.parts[proposals[0].part].quantity.name, proposals[0].kind))
-    joint, at = inflated(joint, solution.x[0], noise)
+    solution = joint.solve(solution.x)
+    joint, profiles = surveyed(joint, solution.x[0], noise)
     bic = joint.bic(float(solution.normal.objective[0]))
     alternatives: dict[str, list[Alternative]] = {}
     for index, (part, where) in enumerate(zip(joint.parts, joint.slices(), strict=True)):
         own = [Alternative(part.kind, 0.0, part.trend(solution.x[0][where]))]
         settled_kind = part.quantity.name in fixed_kinds
-        table = {} if settled_kind else Profile(joint, solution.x[0], index, at).compared()
+        table = {} if settled_kind else profiles[index].compared()
         others = [
             Alternative(kind, (guess - bic) / joint.inflation[index], replace(part, kind=kind).trend(coefficients))
             for kind, (guess, coefficients) in table.items()
@@ -482,9 +501,10 @@ __all__ = [
     "Profile",
     "Survey",
     "coefficients_of",
+    "determined",
     "first_guess",
     "flat",
-    "inflated",
     "select",
     "survey",
+    "surveyed",
 ]

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from motes.errors import DataError, MotesError
-from motes.fitting.joint import Alternative, Joint, first_guess, select
+from motes.fitting.joint import Alternative, Joint, determined, first_guess, select
 from motes.fitting.losses import LOSSES, ROBUST, Floats
 from motes.fitting.problem import Problem
 from motes.fitting.result import Fit, Status, Trial, Verdict
@@ -24,7 +24,7 @@ from motes.fitting.solver import Solution
 from motes.fitting.uncertainty import judged
 from motes.material import Material
 from motes.measurements import Measurement
-from motes.models import BRDF, describe
+from motes.models import BRDF, DustLayer, describe
 from motes.trends import KINDS, Trend
 
 Progress = Callable[[int, int, str], None]
@@ -32,6 +32,8 @@ Progress = Callable[[int, int, str], None]
 # this at all; or when its noise is.
 OUTLIER_RATIO, OUTLIER_MISFIT, OUTLIER_NOISE = 12.0, 12.0, 4.0
 FEWEST_SCANS_TO_JUDGE = 5
+SUSPECTS = 3  # scans that are left out in turn when no trend suits all
+HIDDEN = 0.01  # share of the light below which what lies under the dust is not seen
 
 
 @final
@@ -194,6 +196,11 @@ def fit_over_time(
     for name in kinds:
         if name not in names:
             raise MotesError(f"no parameter {name!r} is fitted, so it has no trend", f"Fitted are {', '.join(names)}")
+        if not determined(kinds[name], len(usable)):
+            raise DataError(
+                f"{len(usable)} scans cannot determine a {kinds[name]} trend of {name}",
+                "Choose a kind with fewer coefficients",
+            )
     least = int(min(np.count_nonzero(problem.weights[t]) for t in usable))
     if least <= problem.size:
         raise DataError(
@@ -280,26 +287,39 @@ def _joint(
                 ScanOutlier(int(usable[k]), float(hours[usable[k]]), f"its noise is {ratio:.1f} times the others'")
             )
         kept = kept[~loud]
-    while True:
+
+    def fitted(kept: NDArray[np.intp]) -> tuple[Joint, Solution, dict[str, list[Alternative]], Floats]:
+        """The joint fit of some scans, and how badly it suits each of all."""
         part = fits.select(kept)
         joint, c = first_guess(problem, hours, part, usable[kept], kinds)
+        level = float(np.median(_noise(problem, part, usable[kept])) ** 2)
         joint, solution, alternatives = select(
-            joint,
-            c,
-            kinds,
-            lambda done, total, what: say(45 + done, 100, what),
-            float(np.median(_noise(problem, part, joint.scans)) ** 2),
+            joint, c, kinds, lambda done, total, what: say(45 + done, 100, what), level
         )
-        misfit = _misfit(joint, solution.x[0], part)
-        ratio = misfit / max(float(np.median(misfit)), 1e-9)
-        worst = int(np.argmax(misfit))
-        enough = len(kept) >= FEWEST_SCANS_TO_JUDGE and len(outliers) < max(1, len(usable) // 5)
-        if not enough or misfit[worst] < OUTLIER_MISFIT or ratio[worst] < OUTLIER_RATIO:
-            return joint, solution, alternatives, tuple(sorted(outliers, key=lambda o: o.index))
-        scan = int(usable[kept[worst]])
-        reason = f"it lies {math.sqrt(misfit[worst]):.0f} standard errors from the trends of the others"
+        return joint, solution, alternatives, _misfit(replace(joint, scans=usable), solution.x[0], fits, level)
+
+    found = fitted(kept)
+    while len(kept) >= FEWEST_SCANS_TO_JUDGE and len(outliers) < max(1, len(usable) // 5):
+        misfit = found[3][kept]
+        order = np.argsort(-misfit)
+        if misfit[order[0]] < OUTLIER_MISFIT:
+            break
+        # No trend suits all scans.  Is there one that suits all but one?
+        best = None
+        for k in order[:SUSPECTS]:
+            without = np.delete(kept, k)
+            trial = fitted(without)
+            others = trial[3][without]
+            far = trial[3][kept[k]] > max(OUTLIER_RATIO * float(np.median(others)), OUTLIER_MISFIT)
+            if far and others.sum() < 0.5 * np.delete(misfit, k).sum() and (best is None or others.sum() < best[0]):
+                best = (others.sum(), kept[k], without, trial)
+        if best is None:
+            break
+        _, worst, kept, found = best
+        scan = int(usable[worst])
+        reason = f"it lies {math.sqrt(found[3][worst]):.0f} standard errors from the trends of the others"
         outliers.append(ScanOutlier(scan, float(hours[scan]), reason))
-        kept = np.delete(kept, worst)
+    return *found[:3], tuple(sorted(outliers, key=lambda o: o.index))
 
 
 def _noise(problem: Problem, fits: ScanFits, usable: NDArray[np.intp]) -> Floats:
@@ -308,11 +328,10 @@ def _noise(problem: Problem, fits: ScanFits, usable: NDArray[np.intp]) -> Floats
     return np.sqrt(2 * fits.normal.objective / np.maximum(samples - problem.size, 1))
 
 
-def _misfit(joint: Joint, c: Floats, fits: ScanFits) -> Floats:
+def _misfit(joint: Joint, c: Floats, fits: ScanFits, noise: float) -> Floats:
     """How much worse the trends suit each scan than its own fit does: a chi-square over its number of parameters."""
     x, _ = joint.vectors(c)
     scan = joint.problem.normal(x, joint.scans)
-    noise = np.median(_noise(joint.problem, fits, joint.scans)) ** 2
     return 2 * np.maximum(scan.objective - fits.normal.objective, 0) / (max(noise, 1e-300) * joint.problem.size)
 
 
@@ -336,14 +355,9 @@ def _result(
     results: dict[str, TrendFit] = {}
     for part, where in zip(joint.parts, joint.slices(), strict=True):
         own = covariance[where, where]
-        known = np.where(np.isfinite(own), own, 0.0)
-        trend = part.trend(c[where], known)
+        trend = part.trend(c[where], own)
         q = part.quantity
-        stderr = (
-            trend.stderr(hours).reshape(len(hours), -1)
-            if np.isfinite(np.diag(own)).any()
-            else np.full((len(hours), 1), np.nan)
-        )
+        stderr = trend.stderr(hours).reshape(len(hours), -1)
         values = trend(hours).reshape(len(hours), -1)
         p = q.parameter
         results[q.name] = TrendFit(
@@ -377,6 +391,7 @@ def _result(
     r, f = data.values[mask], predicted[mask]
     cosines = np.broadcast_to(data.wi[None, :, 2:3], mask.shape)[mask]
     objective = float(solution.normal.objective[0])
+    findings = _findings(results, outliers, len(usable), data, material)
     metrics = {"relative_rms": _rms(f - r) / max(_rms(r), 1e-300)}
     for name, each in LOSSES.items():
         metrics[f"rms_{name}"] = _rms(each.transform(f, cosines) - each.transform(r, cosines))
@@ -392,7 +407,7 @@ def _result(
         trends=results,
         hours=hours,
         outliers=outliers,
-        findings=_findings(results, outliers, len(usable), data),
+        findings=findings,
         metrics=metrics,
         status=solution.status[0],
         tried=tried,
@@ -425,24 +440,65 @@ def _trend_verdict(joint: Joint, kind: str, p: Any, values: Floats, stderr: Floa
 
 
 def _findings(
-    results: Mapping[str, TrendFit], outliers: tuple[ScanOutlier, ...], scans: int, data: Measurement
+    results: dict[str, TrendFit],
+    outliers: tuple[ScanOutlier, ...],
+    scans: int,
+    data: Measurement,
+    material: Material,
 ) -> tuple[str, ...]:
+    """Sentences on what the data do not show; what can't be known by them is marked in `results`."""
     found = []
-    if scans < data.n_times:
-        found.append(f"{data.n_times - scans} of {data.n_times} scans have no usable sample.")
+    missing = data.n_times - scans
+    if missing:
+        found.append(f"{missing} of {data.n_times} scans {'has' if missing == 1 else 'have'} no usable sample.")
     for outlier in outliers:
         found.append(f"Scan {outlier.index} at {outlier.hours:.3g} h was left out: {outlier.reason}.")
-    if scans < 4:
-        found.append(f"With {scans} scans only constant and straight trends can be told apart.")
+    if scans - len(outliers) < 4:
+        found.append(
+            f"With {scans - len(outliers)} scans the shape of a trend is a guess: they tell only whether it changes."
+        )
+
+    def mark(names: list[str]) -> None:
+        for name in names:
+            results[name] = replace(results[name], verdict=Verdict.UNIDENTIFIABLE)
+
+    hours = np.asarray(data.times, float)
+    brdf, told = material.brdf, set()
+    if isinstance(brdf, DustLayer) and _share_below(material, data) < HIDDEN:
+        told = {s.name for s in brdf.slots() if s.path[0] in ("base", "tau") and s.name in results}
+        mark(sorted(told))
+        found.append(
+            f"The dust hides the surface at all times, or the surface is black: it adds less than {100 * HIDDEN:g} % of the light, and the data do not "
+            f"determine {', '.join(n for n in results if n in told)}."
+        )
+    for name in [n for n in results if n.startswith("K_s") and n not in told]:
+        value, error = results[name].band(hours)
+        width = name.replace("K_s", "sigma_s", 1)
+        if (value <= 3 * error).all() or results[name].verdict == Verdict.AT_LOWER:
+            told.add(width)
+            if width in results:
+                mark([width])
+            found.append(
+                f"No highlight is seen: {name} is 0 within its errors at all times, and its width {width} means nothing."
+            )
     for name, t in results.items():
-        if name.startswith("K_s") and t.verdict == Verdict.AT_LOWER:
-            found.append("No highlight is seen: K_s stays at 0, and the width sigma_s means nothing.")
-        elif t.verdict == Verdict.UNIDENTIFIABLE:
+        if t.verdict == Verdict.UNIDENTIFIABLE and name not in told:
             found.append(f"The data do not determine {name} ({t.doc}).")
-    hidden = results.get("tau")
-    if hidden is not None and float(np.min(hidden.trend(np.asarray(data.times, float)))) > 3:
-        found.append("The dust hides the surface at all times (tau > 3): nothing is known of what lies below.")
     return tuple(found)
+
+
+def _share_below(material: Material, data: Measurement) -> float:
+    """The largest share, over the scans, of the light that comes from below the dust (root mean squares over the directions)."""
+    up = (data.wi[:, 2] > 0) & (data.wo[:, 2] > 0)
+    wi, wo = data.wi[up], data.wo[up]
+    path = 1 / wi[:, 2:3] + 1 / wo[:, 2:3]
+    largest = 0.0
+    for hour in data.times:
+        layer = material.at(float(hour))
+        assert isinstance(layer, DustLayer)
+        below = layer.base.eval(wi, wo) * np.exp(-np.asarray(layer.tau) * path)
+        largest = max(largest, _rms(below) / max(_rms(layer.eval(wi, wo)), 1e-300))
+    return largest
 
 
 def _rms(x: Floats) -> float:

@@ -55,7 +55,7 @@ def minimize(
     normal
         Objective, gradient and Gauss-Newton matrix of a batch; see `motes.fitting.problem.Problem.normal`.
     held
-        Parameters (P,) that stay as they are.
+        Parameters (P,) that stay as they are, or (B, P) for each row its own.
     sets
         What each row belongs to (B,), passed on to `normal` as a second argument.
     reduction
@@ -65,7 +65,7 @@ def minimize(
     """
     x = np.clip(np.array(x, float), low, high)
     batch, size = x.shape
-    held = np.zeros(size, bool) if held is None else held
+    held = np.broadcast_to(np.zeros(size, bool) if held is None else held, x.shape)
 
     def at_rows(points: Floats, rows: NDArray[np.intp]) -> Normal:
         return normal(points) if sets is None else normal(points, sets[rows])
@@ -82,7 +82,7 @@ def minimize(
                 break
             xs, gs, hs = x[running], gradient[running], matrix[running]
             blind = np.einsum("bpp->bp", hs) * np.maximum(np.abs(xs), 1e-3) ** 2 <= BLIND * objective[running][:, None]
-            stuck = held | blind | ((xs <= low) & (gs > 0)) | ((xs >= high) & (gs < 0))
+            stuck = held[running] | blind | ((xs <= low) & (gs > 0)) | ((xs >= high) & (gs < 0))
             moved = np.clip(xs + _bounded_step(hs, gs, damping[running], stuck, low - xs, high - xs), low, high)
             delta = moved - xs
             promised = -np.einsum("bp,bp->b", gs, delta) - 0.5 * np.einsum("bp,bpq,bq->b", delta, hs, delta)

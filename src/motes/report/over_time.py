@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from importlib import resources
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -32,7 +32,7 @@ from motes.report.sphere import LIGHTS, sphere_radiances
 from motes.report.time_plots import Times
 from motes.trends import KINDS
 
-SPHERE_SIZE = 220
+SPHERE_SIZE = 200
 MOMENTS = 7
 FILM_LIGHTS = ("three-quarter", "side")
 MANY_CHANNELS = 4
@@ -185,8 +185,9 @@ def _whole(fit: TimeFit) -> Fit:
 def _film(fit: TimeFit, times: Times) -> tuple[dict[str, list[str]], list[float], str]:
     """Spheres at moments from the first scan to the last, by light, all at one exposure; and how they were made."""
     kept = times.kept if len(times.kept) else times.usable
-    if len(kept) >= MOMENTS:  # scans are closest where most happens
-        hours = times.hours[kept[np.unique(np.linspace(0, len(kept) - 1, MOMENTS).round().astype(int))]]
+    gaps = np.diff(times.hours[kept])
+    if len(kept) >= MOMENTS and gaps.max() > 1.5 * gaps.min():  # scans are closest where most happens
+        hours = times.hours[kept[np.unique(np.linspace(0, len(kept) - 1, MOMENTS).astype(int))]]
         chosen = "at the times of scans"
     else:
         hours = np.linspace(times.first, times.last, MOMENTS)
@@ -196,7 +197,8 @@ def _film(fit: TimeFit, times: Times) -> tuple[dict[str, list[str]], list[float]
     names = material.channels if len(material.channels) == first.channels else tuple("?" * first.channels)
     color = channels_to_srgb(names, material.wavelengths or None)
     linear: dict[str, list[np.ndarray]] = {name: [] for name in FILM_LIGHTS}
-    bright, coverage = 0.0, np.zeros((0, 0))
+    bright = 0.0
+    coverage: Any = None
     for hour in hours:
         radiances, coverage = sphere_radiances(material.at(float(hour)), SPHERE_SIZE, list(FILM_LIGHTS))
         for name, radiance in zip(FILM_LIGHTS, radiances, strict=True):
@@ -304,8 +306,8 @@ def _filmstrip(context: TimeContext) -> Html:
                     "img",
                     src=uri,
                     alt=f"Sphere at {times.words(hour)}, lamp {LIGHTS[name].words}",
-                    width=180,
-                    height=180,
+                    width=SPHERE_SIZE,
+                    height=SPHERE_SIZE,
                 ),
             )
             for uri, hour in zip(pictures, context.film_hours, strict=True)
@@ -360,7 +362,8 @@ def _trends(context: TimeContext) -> Html | None:
 
 def _coefficients(context: TimeContext) -> Html:
     head = ("parameter", "trend", "coefficient", "channel", "value", "standard error", "unit", "meaning", "verdict")
-    few, many = [], []
+    few: list[list[object]] = []
+    many: list[list[object]] = []
     for t in context.fit.trends.values():
         rows = _coefficient_rows(t, context.fit.material.channels, context.times.unit)
         (many if t.scan_values.shape[1] > MANY_CHANNELS else few).extend(rows)
@@ -437,8 +440,9 @@ def _slices(context: TimeContext) -> Html:
         max(np.degrees(getattr(g, name)) for _, _, g in groups) for name in ("off_plane", "off_angle")
     )
     caption = (
-        f"BRDF in the plane of incidence, one angle of incidence a panel, all on the same {'logarithmic ' if scale.log else ''}scale. Negative θᵣ is the side of "
-        f"the light, positive the side of the mirror direction (dotted line). Dots are samples within {off_plane:.2g}° of the plane and {off_angle:.2g}° of θᵢ; "
+        f"BRDF in the plane of incidence, one angle of incidence a panel, all on the same {'logarithmic ' if scale.log else ''}scale. "
+        "Negative θᵣ is the side of the light, positive the side of the mirror direction (dotted line). "
+        f"Dots are samples within {off_plane:.2g}° of the plane and {off_angle:.2g}° of θᵢ; "
         "curves are the trends at that moment exactly in the plane; the stroke at a dot ends at the fit for that very sample."
     )
     return tag("figure", channel_key(context.channels), *rows, tag("figcaption", caption))
@@ -459,7 +463,7 @@ def _metrics(context: TimeContext) -> Html:
 
 
 def _tried(context: TimeContext) -> Html | None:
-    shown = sections.tried(context.whole)
+    shown = sections.tried(context.whole._replace(fit=context.moments[0][1]))
     if shown is None:
         return None
     return join(

@@ -192,9 +192,13 @@ def _value_scale(t: TrendFit, times: Times, core: Floats, ahead: Floats) -> tupl
     A scan that hardly determines the parameter may say anything: its dot must not squeeze the curve flat.
     """
     low, high = (float(f(core)) for f in (np.min, np.max))
-    room = max(high - low, 0.25 * max(abs(low), abs(high)), 1e-9)
     rows = np.isin(times.usable, times.kept)
     points, errors = t.scan_values[rows], t.scan_stderr[rows]
+    room = max(high - low, 0.25 * max(abs(low), abs(high)), 1e-9)
+    known = points[np.isfinite(errors)]
+    if known.size:  # what most scans say must be in sight, also where the trend misses it
+        typical = float(np.median(known))
+        room = max(room, 1.3 * (typical - high), 1.3 * (low - typical))
     near = (points >= low - room) & (points <= high + room)
     sure = near & np.isfinite(errors)
     reach = np.where(sure, np.minimum(np.nan_to_num(errors), 0.5 * room), 0.0)
@@ -224,9 +228,7 @@ def _kind_words(t: TrendFit, beyond: int) -> Html:
         "p",
         f"{doc[0].upper()}{doc[1:]}. ",
         f"BIC of the next: {behind}. " if others else None,
-        f"{beyond} dot{'s' if beyond > 1 else ''} of scans that say little {'are' if beyond > 1 else 'is'} beyond the panel."
-        if beyond
-        else None,
+        f"{beyond} dot{'s lie' if beyond > 1 else ' lies'} beyond the panel." if beyond else None,
         class_="note",
     )
 
