@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -187,7 +188,7 @@ def dense_albedo(model: BRDF, wi: NDArray[np.float64], n: int = 60) -> NDArray[n
     theta_i, phi_i = np.arccos(wi[2]), np.arctan2(wi[1], wi[0])
 
     def rule(*ends: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        pieces = [(a, b) for a, b in zip(ends[:-1], ends[1:], strict=True) if b > a]
+        pieces = [(a, b) for a, b in pairwise(ends) if b > a]
         nodes = [0.5 * (a + b) + 0.5 * (b - a) * x for a, b in pieces]
         return np.concatenate(nodes), np.concatenate([0.5 * (b - a) * w for a, b in pieces])
 

@@ -287,7 +287,8 @@ def test_many_channels_are_summarised(motes: Run) -> None:
     Path("m.csv").write_text("\n".join(rows).replace("theta_i,theta_r,phi_r", "theta_i_deg,theta_r_deg,phi_r_deg"))
     status, out, err = motes("fit", "m.csv", "-m", "lambert", "-o", "out")
     assert (status, err) == (0, "")
-    assert "in 7 channels" in out
+    assert "all 7" in out
+    assert re.search(r"0\.\d+ \.\. 0\.\d+", out)
     assert "With 3 scans" in out
 
 

@@ -192,6 +192,29 @@ def test_an_interrupt_leaves_nothing(tmp_path: Path) -> None:
     assert not out.exists()
 
 
+@pytest.mark.skipif(os.name != "posix", reason="there is no SIGKILL")
+def test_a_fit_that_is_killed_spares_older_results_and_starts_again(tmp_path: Path, plaster: Path) -> None:
+    data = simulate(tmp_path / "data", drying_plaster, scans=6, rig=Rig(step_deg=0.5))
+    out = tmp_path / "out"
+    arguments = ("--no-report", "--quiet", "-o", out)
+    assert motes("fit", plaster, "-m", "lambert", *arguments).returncode == 0
+    before = {file.name: file.read_bytes() for file in out.iterdir()}
+    process = subprocess.Popen([*MOTES, "fit", str(data), *map(str, arguments)])
+    deadline = time.monotonic() + SECONDS
+    while not list(out.glob(".motes-*")):
+        assert process.poll() is None
+        assert time.monotonic() < deadline
+        time.sleep(0.01)
+    process.kill()
+    process.wait()
+    assert {file.name: file.read_bytes() for file in out.iterdir() if file.is_file()} == before
+    (left,) = out.glob(".motes-*")
+    os.utime(left, (0, 0))  # another day
+    assert motes("fit", plaster, "-m", "oren_nayar", *arguments).returncode == 0
+    assert {file.name for file in out.iterdir()} == set(before)
+    assert json.loads((out / "fit.json").read_text())["model"] == "oren_nayar"
+
+
 # ---------------------------------------------------------------- real data
 
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import mpmath as mp
 import numpy as np
 import pytest
-from catalogue import direction, upper_directions
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 from numpy.typing import NDArray
 
+from catalogue import direction, upper_directions
 from motes import directions
 from motes.arrays import NUMPY
 from motes.directions import Geometry, Vector, polar_angle
@@ -127,9 +127,13 @@ def test_half_difference_of_a_direction_with_itself_and_at_the_pole() -> None:
 
 
 def test_frames_are_orthonormal_and_right_handed() -> None:
-    n = np.concatenate([sphere(2000, 3), [[0, 0, 1], [0, 0, -1], [0, 0, 1.0]], sphere(5, 4) * [1e-9, 1e-9, 0] - [0, 0, 1]])
+    n = np.concatenate(
+        [sphere(2000, 3), [[0, 0, 1], [0, 0, -1], [0, 0, 1.0]], sphere(5, 4) * [1e-9, 1e-9, 0] - [0, 0, 1]]
+    )
     frames = directions.frame(n)
-    assert_allclose(np.einsum("nij,nkj->nik", frames, frames), np.broadcast_to(np.eye(3), frames.shape), rtol=0, atol=1e-14)
+    assert_allclose(
+        np.einsum("nij,nkj->nik", frames, frames), np.broadcast_to(np.eye(3), frames.shape), rtol=0, atol=1e-14
+    )
     assert_allclose(np.linalg.det(frames), 1, rtol=1e-14)
     assert_allclose(frames[:, 2], n, rtol=0)
 
@@ -156,6 +160,8 @@ def test_geometry_by_definition() -> None:
         "tan_beta": np.tan(beta),
         "tan_half": np.tan((alpha + beta) / 2),
         "cos_dphi": np.cos(dphi),
+        "one_less_abs_cos_dphi": 1 - np.abs(np.cos(dphi)),
+        "sin_alpha_less_cube": np.sin(alpha) - (2 * beta / np.pi) ** 3,
         "sin2_half_gamma": (1 + dot) / 2,
         "cos2_half_gamma": (1 - dot) / 2,
         "cos_theta_d": np.sum(wi * wh, axis=-1),
@@ -165,6 +171,32 @@ def test_geometry_by_definition() -> None:
     }
     for name, value in expected.items():
         assert_allclose(getattr(g, name)[:, 0], value, rtol=1e-11, atol=1e-12, err_msg=name)
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_differences_that_cancel_keep_their_digits(dtype: type) -> None:
+    """Near the plane of incidence, 1 - |cos(dphi)|; at mutual grazing, sin(alpha) - (2 beta/pi)^3: given the rounded directions."""
+    rng = np.random.default_rng(5)
+    theta = np.pi / 2 - np.geomspace(1e-3, 1, 200)
+    dphi = np.where(rng.random(200) < 0.5, 0, np.pi) + rng.choice([-1, 1], 200) * np.geomspace(1e-3, 1, 200)
+    wi = directions.from_spherical(theta, 0.7).astype(dtype)
+    wo = directions.from_spherical(np.flip(theta) ** 0.5 * theta**0.5, 0.7 + dphi).astype(dtype)
+    g = geometry(wi, wo)
+    with mp.workdps(30):
+        for k in range(200):
+            (xi, yi, zi), (xo, yo, zo) = ([mp.mpf(float(v)) for v in w[k]] for w in (wi, wo))
+            si, so = mp.hypot(xi, yi), mp.hypot(xo, yo)
+            beta = min(mp.atan2(si, zi), mp.atan2(so, zo))
+            alpha = max(mp.atan2(si, zi), mp.atan2(so, zo))
+            expected = {
+                "one_less_abs_cos_dphi": 1 - abs((xi * xo + yi * yo) / (si * so)),
+                "sin_alpha_less_cube": mp.sin(alpha) - (2 * beta / mp.pi) ** 3,
+            }
+            for name, value in expected.items():
+                # The directions are of unit length to an ulp only, which sin(alpha) and cos(alpha) see differently.
+                assert_allclose(
+                    float(getattr(g, name)[k, 0]), float(value), rtol=4e3 * np.finfo(dtype).eps, err_msg=f"{name} {k}"
+                )
 
 
 def test_azimuth_means_nothing_at_normal_incidence() -> None:

@@ -51,9 +51,10 @@ def test_rho_d1_is_negative_where_the_source_says() -> None:
     rho_d1 = equations.rho_d1(
         xp,
         equations.C1(xp, 1.5),
-        equations.C2(xp, np.sin(1.55), 1.5, -1.0, 1.5),
+        equations.C2(xp, np.sin(1.55), np.sin(1.55) - (2 * 1.5 / np.pi) ** 3, -1.0, 1.5),
         equations.C3(xp, 1.55, 1.5, 1.5),
         -1.0,
+        0.0,
         np.tan(1.5),
         np.tan(1.525),
         1.0,

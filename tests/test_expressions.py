@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from catalogue import ENTRIES, Entry
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from catalogue import ENTRIES, Entry
 from motes.errors import ParameterError
 from motes.models import BRDF, Conductor, Dielectric, Dust, DustLayer, Lambert, OrenNayar, Schlick, TorranceSparrow
 from motes.models.expressions import FRESNEL, MODELS, describe, parse
@@ -150,12 +150,31 @@ def test_what_is_no_model_is_refused_with_a_sentence(text: str) -> None:
     assert len(str(caught.value)) < 1500
 
 
-WORDS = [*MODELS, *FRESNEL, "K_d", "sigma_d", "K_s", "g", "tau", "n", "fresnel", "normalization", "facets", "form", "base", "dust"]
-pieces = st.sampled_from([*WORDS, "+", "(", ")", "=", ",", "[", "]", " ", "0.3", "-1", "1e9", "'", '"', "{", "}", "*", ":", "lambda", "\\"])
+WORDS = [
+    *MODELS,
+    *FRESNEL,
+    "K_d",
+    "sigma_d",
+    "K_s",
+    "g",
+    "tau",
+    "n",
+    "fresnel",
+    "normalization",
+    "facets",
+    "form",
+    "base",
+    "dust",
+]
+pieces = st.sampled_from(
+    [*WORDS, "+", "(", ")", "=", ",", "[", "]", " ", "0.3", "-1", "1e9", "'", '"', "{", "}", "*", ":", "lambda", "\\"]
+)
 
 
 @settings(max_examples=400)
-@given(text=st.text(max_size=40) | st.lists(pieces, max_size=12).map("".join) | st.lists(pieces, max_size=12).map(" ".join))
+@given(
+    text=st.text(max_size=40) | st.lists(pieces, max_size=12).map("".join) | st.lists(pieces, max_size=12).map(" ".join)
+)
 @example(text="dust_layer(dust_layer(lambert), tau=0.3)")
 def test_any_text_is_a_model_or_a_parameter_error(text: str) -> None:
     try:
@@ -176,7 +195,9 @@ def test_any_values_come_back(entry: Entry, data: st.DataObject) -> None:
     for slot in entry.model.slots():
         low, high = (float(np.clip(b, -1e300, 1e300)) for b in slot.parameter.bounds)
         number = st.floats(low, high, exclude_min=slot.parameter.open, exclude_max=slot.parameter.open)
-        values[slot.name] = data.draw(number | st.lists(number, min_size=2, max_size=2) if slot.parameter.per_channel else number)
+        values[slot.name] = data.draw(
+            number | st.lists(number, min_size=2, max_size=2) if slot.parameter.per_channel else number
+        )
     model = entry.model.with_parameters(values)
     assert parse(describe(model, values=True)).model == model
 

@@ -273,7 +273,7 @@ def test_the_covariance_is_the_sandwich() -> None:
 def test_bright_noise_does_not_make_trends() -> None:
     """A highlight is noisier than the rest: plain BIC takes its noise for change; with the inflation a constant stays one."""
     gloss = parse(MODEL).model.with_parameters({"K_d": 0.1, "sigma_d": 0.2, "K_s": 0.8, "sigma_s": 0.12})
-    for seed in range(6):
+    for seed in range(4):
         fit = fitted(series(lambda t: gloss, seed=seed, channels=1, noise=0.03))
         assert set(kinds(fit).values()) == {"constant"}
 
@@ -306,8 +306,11 @@ def test_alternatives_are_sorted_and_the_chosen_is_first() -> None:
         ("linear", 1, False),
         ("exponential", 3, False),
         ("exponential", 4, True),
-    ]
-    + [("quadratic", 3, True), ("cubic", 3, False), ("logistic", 4, False), ("logistic", 5, True)],
+        ("quadratic", 3, True),
+        ("cubic", 3, False),
+        ("logistic", 4, False),
+        ("logistic", 5, True),
+    ],
 )
 def test_how_many_scans_a_trend_needs(kind: str, scans: int, enough: bool) -> None:
     assert determined(kind, scans) is enough
@@ -377,10 +380,11 @@ def test_a_bad_scan_is_left_out(spoil: Callable[[np.ndarray], np.ndarray], reaso
 
 
 def test_two_bad_scans_are_left_out() -> None:
-    values = series(TRUTH.at, np.linspace(0, LAST, 12)).values.copy()
+    times = np.linspace(0, LAST, 12)
+    values = series(TRUTH.at, times, channels=1).values.copy()
     values[4] *= 1.3
     values[8] *= 0.8
-    fit = fitted(measurement(values, np.linspace(0, LAST, 12)))
+    fit = motes.fit(measurement(values, times, ("grey",)), MODEL)
     assert [o.index for o in fit.outliers] == [4, 8]
     assert kinds(fit) == TRUE_KINDS
 
@@ -511,7 +515,7 @@ def test_bad_wishes_are_refused(options: dict[str, Any], message: str) -> None:
 
 def test_too_few_samples_are_refused() -> None:
     data = Measurement.from_arrays(WI[:2], WO[:2], np.full((3, 2, 1), 0.1), times=[0, 1, 2], channels=("grey",))
-    with pytest.raises(DataError, match="2 usable sample.* cannot determine the 4 parameters of oren_nayar"):
+    with pytest.raises(DataError, match=r"2 usable sample.* cannot determine the 4 parameters of oren_nayar"):
         motes.fit(data, MODEL)
 
 
@@ -535,16 +539,13 @@ def test_scans_fitted_together_are_those_fitted_alone() -> None:
             assert_allclose(together.trends[name].scan_stderr[k], parameter.stderr, rtol=1e-2)
 
 
-def test_middles_are_the_squared_gradients() -> None:
-    """Sandwich of scan 0 from `middles` against its standard errors."""
+def test_some_scans_of_the_fits() -> None:
     problem = prepare(series(TRUTH.at), MODEL, "linear", "measurement", (), frozenset()).problem
-    scans = np.array([0, 3])
-    fits = fit_scans(problem, scans)
-    inverse = np.linalg.inv(fits.normal.matrix)
-    assert_allclose(np.sqrt(np.einsum("tij,tjk,tki->ti", inverse, fits.middles, inverse)), fits.stderr, rtol=1e-6)
-    one = fits.select(np.array([1]))
-    assert_array_equal(one.x, fits.x[1:])
-    assert_array_equal(one.middles, fits.middles[1:])
+    fits = fit_scans(problem, np.array([0, 3, 5]))
+    some = fits.select(np.array([0, 2]))
+    assert_array_equal(some.x, fits.x[[0, 2]])
+    assert_array_equal(some.normal.matrix, fits.normal.matrix[[0, 2]])
+    assert [len(some.verdicts), len(some.status)] == [2, 2]
 
 
 # ---------------------------------------------------------------- What is kept

@@ -7,9 +7,10 @@ import re
 from pathlib import Path
 from types import ModuleType
 
-import golden
 import numpy as np
 import pytest
+
+import golden
 from catalogue import ENTRIES, Entry, upper_directions
 
 ROOT = Path(__file__).parents[1]
@@ -33,7 +34,10 @@ def test_the_page_states_what_the_tool_measures(accuracy: ModuleType) -> None:
     for title, rows in accuracy.tables():
         lines = [[cell.strip() for cell in line.strip("|").split("|")] for line in page[title].splitlines()]
         # Which model is worst may differ by a rounding error.
-        names = [[re.sub(r" \(`.*`\)", "", name) for name in column] for column in ([x[0] for x in lines], [r.what for r in rows])]
+        names = [
+            [re.sub(r" \(`.*`\)", "", name) for name in column]
+            for column in ([x[0] for x in lines], [r.what for r in rows])
+        ]
         assert names[0] == names[1]
         for (name, *stated), row in zip(lines, rows, strict=True):
             for figure, measured in zip(stated, row.errors, strict=True):

@@ -12,7 +12,17 @@ import pytest
 from numpy.testing import assert_allclose
 from numpy.typing import NDArray
 
-from catalogue import ENTRIES, SPECIAL, SPECIAL_WI, SPECIAL_WO, Entry, jax_in_float64, parts, reference, upper_directions
+from catalogue import (
+    ENTRIES,
+    SPECIAL,
+    SPECIAL_WI,
+    SPECIAL_WO,
+    Entry,
+    jax_in_float64,
+    parts,
+    reference,
+    upper_directions,
+)
 from motes import tracing
 from motes.arrays import NUMPY, namespace
 from motes.directions import Geometry, Vector
@@ -23,10 +33,13 @@ every_entry = pytest.mark.parametrize("entry", ENTRIES, ids=str)
 
 @dataclass(frozen=True)
 class Library:
-    """A tensor library: how to make a tensor, the gradient of sum(function(values)), and the context in which it is float64."""
+    """A tensor library: how to make a tensor, to call a function of tensors (JAX compiles it whole, for time), the gradient of
+    sum(function(values)), and the context in which it is float64.
+    """
 
     name: str
     tensor: Callable[[Any], Any]
+    run: Callable[..., Any]
     gradient: Callable[[Callable[[dict[str, Any]], Any], dict[str, Any]], dict[str, Any]]
     context: Callable[[], AbstractContextManager[Any]]
 
@@ -41,7 +54,7 @@ def with_torch() -> Library:
         function(leaves).sum().backward()
         return {name: np.zeros(leaf.shape) if leaf.grad is None else leaf.grad.numpy() for name, leaf in leaves.items()}
 
-    return Library("torch", lambda x: torch.tensor(np.asarray(x)), gradient, nullcontext)
+    return Library("torch", lambda x: torch.tensor(np.asarray(x)), lambda f, *x: f(*x), gradient, nullcontext)
 
 
 def with_jax() -> Library:
@@ -52,14 +65,16 @@ def with_jax() -> Library:
         leaves = {name: jnp.asarray(value, jnp.float64) for name, value in values.items()}
         return {name: np.asarray(d) for name, d in jax.jit(jax.grad(lambda v: function(v).sum()))(leaves).items()}
 
-    return Library("jax", jnp.asarray, gradient, jax_in_float64)
+    return Library("jax", jnp.asarray, lambda f, *x: jax.jit(f)(*x), gradient, jax_in_float64)
 
 
 LIBRARIES = {"torch": with_torch, "jax": with_jax}
 # JAX compiles every model for a second or more; these hold every class between them, and PyTorch takes all entries.
 FOR_JAX = ("dust_forward", "torrance_sparrow_conductor", "torrance_sparrow_schlick", "dust_on_plaster_and_varnish")
 BOTH = [("torch", entry) for entry in ENTRIES] + [("jax", entry) for entry in ENTRIES if entry.name in FOR_JAX]
-every_entry_of_both = pytest.mark.parametrize(("library", "entry"), BOTH, ids=[f"{x}-{y}" for x, y in BOTH], indirect=["library"])
+every_entry_of_both = pytest.mark.parametrize(
+    ("library", "entry"), BOTH, ids=[f"{x}-{y}" for x, y in BOTH], indirect=["library"]
+)
 
 
 @pytest.fixture
@@ -90,7 +105,8 @@ def test_tensors_give_the_numbers_of_numpy(library: Library, entry: Entry) -> No
     expected = entry.model.eval(wi, wo)
     a, b = library.tensor(wi), library.tensor(wo)
     lifted = tensors(library, entry.model)
-    for value in (entry.model.eval(a, b), lifted.eval(a, b), lifted.eval(wi, wo), lifted.eval(a, wo)):
+    for model, x, y in ((entry.model, a, b), (lifted, wi, wo), (lifted, a, wo)):
+        value = library.run(model.eval, x, y)
         assert type(value) is type(a)
         assert value.dtype == a.dtype
         # XLA and PyTorch round sin, exp, asin by an ulp otherwise than NumPy; a difference of terms may hold a few of them.
@@ -101,27 +117,27 @@ def test_tensors_give_the_numbers_of_numpy(library: Library, entry: Entry) -> No
 def test_sampling_and_integrals_of_tensors(library: Library, entry: Entry) -> None:
     wi, u = upper_directions(5, 3), np.random.default_rng(4).random((5, 2))
     expected = entry.model.sample(wi, u)
-    sampled = entry.model.sample(library.tensor(wi), library.tensor(u))
+    sampled = library.run(entry.model.sample, library.tensor(wi), library.tensor(u))
     for got, want in zip(sampled, expected, strict=True):
         assert type(got) is type(library.tensor(wi))
         assert_allclose(np.asarray(got), want, rtol=1e-8, atol=1e-12)
-    albedo = entry.model.directional_albedo(library.tensor(wi), nodes=(8, 8))
+    albedo = library.run(lambda w: entry.model.directional_albedo(w, nodes=(8, 8)), library.tensor(wi))
     assert_allclose(np.asarray(albedo), entry.model.directional_albedo(wi, nodes=(8, 8)), rtol=1e-10)
 
 
 @every_entry_of_both
 def test_float32_tensors_stay_float32(library: Library, entry: Entry) -> None:
     wi, wo = (library.tensor(upper_directions(3, seed).astype(np.float32)) for seed in (1, 2))
-    value = tensors(library, entry.model).eval(wi, wo)
+    value = library.run(tensors(library, entry.model).eval, wi, wo)
     assert value.dtype == wi.dtype
-    assert entry.model.pdf(wi, wo).dtype == wi.dtype
+    assert library.run(entry.model.pdf, wi, wo).dtype == wi.dtype
     assert np.isfinite(np.asarray(value)).all()
 
 
 @every_entry_of_both
 def test_nan_stays_nan_in_tensors(library: Library, entry: Entry) -> None:
     wi = library.tensor(np.array([[0.0, 0.6, 0.8], [np.nan] * 3]))
-    assert np.isnan(np.asarray(entry.model.eval(wi, wi))).all(axis=-1).tolist() == [False, True]
+    assert np.isnan(np.asarray(library.run(entry.model.eval, wi, wi))).all(axis=-1).tolist() == [False, True]
 
 
 # ---------------------------------------------------------------- Derivatives
@@ -205,6 +221,15 @@ def test_derivatives_by_directions_are_finite_at_normal_incidence(library: Libra
     slope = library.gradient(lambda v: entry.model.eval(v["wi"], v["wo"]), {"wi": up, "wo": other})
     assert np.isfinite(slope["wi"]).all()
     assert np.isfinite(slope["wo"]).all()
+
+
+def test_jax_one_operation_at_a_time() -> None:
+    """Without jax.jit, in the float32 that JAX has by default."""
+    jnp = pytest.importorskip("jax.numpy")
+    wi, wo = upper_directions(6, 1), upper_directions(6, 2)
+    value = OrenNayar(jnp.array([0.8, 0.2]), 0.4).eval(jnp.asarray(wi), jnp.asarray(wo))
+    assert value.dtype == jnp.float32
+    assert_allclose(value, OrenNayar((0.8, 0.2), 0.4).eval(wi, wo), rtol=1e-5)
 
 
 def test_a_model_of_tensors_can_be_compiled_and_mapped() -> None:

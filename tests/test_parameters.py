@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from catalogue import ENTRIES, Entry, parts
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_array_equal
 
+from catalogue import ENTRIES, Entry, parts
 from motes.errors import MotesError, ParameterError
 from motes.models import Conductor, Dielectric, Dust, DustLayer, Lambert, OrenNayar, TorranceSparrow
 from motes.parameters import Parameter, Parametrised
@@ -156,7 +156,9 @@ def test_models_do_not_change() -> None:
 
 
 @pytest.mark.parametrize("lock", [False, True])
-@pytest.mark.parametrize("view", [lambda a: a, lambda a: a[:], lambda a: a.reshape(1, 3), lambda a: np.broadcast_to(a, (2, 3))])
+@pytest.mark.parametrize(
+    "view", [lambda a: a, lambda a: a[:], lambda a: a.reshape(1, 3), lambda a: np.broadcast_to(a, (2, 3))]
+)
 def test_what_the_caller_keeps_cannot_change_a_model(view: Any, lock: bool) -> None:
     mine = np.array([0.1, 0.2, 0.3])
     handed_over = view(mine)

@@ -227,9 +227,9 @@ def test_names_out_of_files_are_text(paint: TimeFit) -> None:
 
 def test_the_same_bytes_whole_small_and_quick(paint: TimeFit, tmp_path: Path) -> None:
     write_time_report(paint, tmp_path / "warm.html")
-    started = time.perf_counter()
+    started = time.process_time()
     path = paint.report(tmp_path / "report.html")
-    assert time.perf_counter() - started < 4  # half a second on an idle machine
+    assert time.process_time() - started < 2  # half a second on an idle machine
     assert path.read_bytes() == (tmp_path / "warm.html").read_bytes()
     assert path.stat().st_size < 2_000_000
     assert {p.name for p in tmp_path.iterdir()} == {"warm.html", "report.html"}

@@ -47,7 +47,17 @@ def test_operations_with_constants_are_folded() -> None:
     assert graph.constant(1).is_constant(1)
     assert not graph.constant(True).is_constant(1), "a truth value is not a number"
     assert graph.constant(0.0) is not graph.constant(-0.0)
-    for same in (a + 0, 0 + a, a - 0, a * 1, 1 * a, a / 1, -(-a), graph.maximum(a, a), graph.where(a > 0, a, a)):
+    for same in (
+        a + 0,
+        0 + a,
+        a - 0,
+        a * 1,
+        1 * a,
+        a / 1,
+        graph.apply("neg", -a),
+        graph.maximum(a, a),
+        graph.where(a > 0, a, a),
+    ):
         assert same is a
     assert 0 - a is -a
     assert -1 * a is -a

@@ -20,7 +20,6 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
 import golden
 from catalogue import ENTRIES, dense_albedo, direction, reference, upper_directions
 from golden.equations import EQUATIONS
-
 from motes.arrays import NUMPY
 from motes.models import BRDF, Conductor, Dielectric, Dust, Lambert, OrenNayar, TorranceSparrow
 

@@ -44,6 +44,12 @@ def polar_angle(xp: Array, cos_theta: Array, sin_theta: Array) -> Array:
     return xp.where(sin_theta < cos_theta, small, HALF_PI - small)
 
 
+def elevation(xp: Array, cos_theta: Array, sin_theta: Array) -> Array:
+    """The angle above the horizon [rad], pi/2 less the polar angle, as accurate as `polar_angle` at both ends."""
+    small = xp.asin(xp.minimum(cos_theta, sin_theta))
+    return xp.where(sin_theta < cos_theta, HALF_PI - small, small)
+
+
 class Geometry:
     """What the equations need of a pair of directions, computed once and when asked for.
 
@@ -85,6 +91,29 @@ class Geometry:
     @cached_property
     def sin_alpha(self) -> Array:
         return self.xp.maximum(self.sin_theta_i, self.sin_theta_r)
+
+    @cached_property
+    def sin_alpha_less_cube(self) -> Array:
+        """sin(alpha) - (2 beta/pi)^3 without the cancellation at mutual grazing.
+
+        With e = 1 - 2 beta/pi, the elevation of the steeper direction, the cube is 1 - e (3 - e (3 - e)); and
+        1 - sin(alpha) = cos(alpha)^2 / (1 + sin(alpha)).
+        """
+        xp = self.xp
+        steeper = xp.maximum(
+            elevation(xp, self.cos_theta_i, self.sin_theta_i), elevation(xp, self.cos_theta_r, self.sin_theta_r)
+        )
+        e = (1 / HALF_PI) * steeper
+        cos_alpha = xp.minimum(self.cos_theta_i, self.cos_theta_r)
+        return e * (3 - e * (3 - e)) - cos_alpha * cos_alpha / (1 + self.sin_alpha)
+
+    @cached_property
+    def one_less_abs_cos_dphi(self) -> Array:
+        """1 - |cos(phi_r - phi_i)| = sin^2 / (1 + |cos|), with the sine from the cross product, which does not cancel."""
+        xp = self.xp
+        cross = self.wi.x * self.wo.y - self.wi.y * self.wo.x
+        sine = cross / xp.maximum(self.sin_theta_i * self.sin_theta_r, 1e-30)
+        return xp.minimum(sine * sine, 1.0) / (1 + xp.maximum(self.cos_dphi, -self.cos_dphi))
 
     @cached_property
     def tan_beta(self) -> Array:

@@ -24,14 +24,23 @@ INV_PI = 0.3183098861837907
 
 
 def rho_d1(
-    xp: Array, C1: Array, C2: Array, C3: Array, cos_dphi: Array, tan_beta: Array, tan_half: Array, K_d: Array
+    xp: Array,
+    C1: Array,
+    C2: Array,
+    C3: Array,
+    cos_dphi: Array,
+    one_less_abs_cos_dphi: Array,
+    tan_beta: Array,
+    tan_half: Array,
+    K_d: Array,
 ) -> Array:
     """Equation (1): the direct component [1/sr]; `tan_half` is tan((alpha + beta)/2).
 
+    `one_less_abs_cos_dphi` is its 1 - |cos(phi_r - phi_i)|, which cancels near the plane of incidence.
+
     It goes negative near grazing forward scatter for sigma_d >= 0.7 (the models clamp it at 0).
     """
-    abs_cos_dphi = xp.maximum(cos_dphi, -cos_dphi)
-    return K_d * INV_PI * (C1 + cos_dphi * C2 * tan_beta + (1 - abs_cos_dphi) * C3 * tan_half)
+    return K_d * INV_PI * (C1 + cos_dphi * C2 * tan_beta + one_less_abs_cos_dphi * C3 * tan_half)
 
 
 def alpha(xp: Array, theta_r: Array, theta_i: Array) -> Array:
@@ -50,11 +59,14 @@ def C1(xp: Array, sigma_d: Array) -> Array:
     return 1 - 0.5 * (s2 / (s2 + 0.33))
 
 
-def C2(xp: Array, sin_alpha: Array, beta: Array, cos_dphi: Array, sigma_d: Array) -> Array:
-    """Equation (5): switches at cos(phi_r - phi_i) = 0, where its factor in (1) is 0, so that (1) is continuous."""
+def C2(xp: Array, sin_alpha: Array, sin_alpha_less_cube: Array, cos_dphi: Array, sigma_d: Array) -> Array:
+    """Equation (5): switches at cos(phi_r - phi_i) = 0, where its factor in (1) is 0, so that (1) is continuous.
+
+    `sin_alpha_less_cube` is its sin(alpha) - (2 beta/pi)^3, which cancels where both directions graze, and is multiplied by
+    tan(beta) there.
+    """
     s2 = sigma_d * sigma_d
-    b = (2 * INV_PI) * beta
-    return 0.45 * (s2 / (s2 + 0.09)) * xp.where(cos_dphi >= 0, sin_alpha, sin_alpha - b * b * b)
+    return 0.45 * (s2 / (s2 + 0.09)) * xp.where(cos_dphi >= 0, sin_alpha, sin_alpha_less_cube)
 
 
 def C3(xp: Array, alpha: Array, beta: Array, sigma_d: Array) -> Array:

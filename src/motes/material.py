@@ -146,7 +146,7 @@ class Material:
                 trends={str(name): trend_from_dict(t) for name, t in dict(data.get("trends", {})).items()},
                 about=dict(data.get("about", {})),
             )
-        except (KeyError, TypeError, AttributeError, ValueError) as error:
+        except (KeyError, TypeError, AttributeError, ValueError, IndexError, OverflowError) as error:
             if isinstance(error, MotesError):
                 raise
             raise FormatError(

@@ -273,7 +273,10 @@ class Trend:
         start, end = self.interval
         if not (np.isfinite(start) and np.isfinite(end) and end > start):
             raise ParameterError(f"the interval {start:g} to {end:g} h of a trend does not go forward in time")
-        values = {name: np.asarray(self.coefficients[name], float) for name in expected}
+        try:
+            values = {name: np.asarray(self.coefficients[name], float) for name in expected}
+        except (TypeError, ValueError, OverflowError) as error:
+            raise ParameterError(f"a coefficient of a {self.kind} trend is not a number: {error}") from None
         if not all(np.isfinite(v).all() for v in values.values()):
             raise ParameterError(f"a coefficient of a {self.kind} trend is not finite: {dict(self.coefficients)}")
         widths = {v.shape for v in values.values() if v.ndim}
@@ -299,6 +302,12 @@ class Trend:
         low, high = self.bounds
         if not low <= high:
             raise ParameterError(f"the bounds {low:g} to {high:g} of a trend are the wrong way round")
+        size = sum(v.size for v in values.values())
+        if self.covariance is not None and np.shape(self.covariance) != (size, size):
+            raise ParameterError(
+                f"the covariance of a {self.kind} trend has the shape {np.shape(self.covariance)}",
+                f"It has {size} rows and columns, one for each coefficient and channel",
+            )
         object.__setattr__(self, "coefficients", {name: v if v.ndim else float(v) for name, v in values.items()})
 
     @property
@@ -350,15 +359,17 @@ class Trend:
     @classmethod
     def from_dict(cls, data: Mapping[str, Any]) -> Self:
         """Back from `to_dict`."""
-        low, high = data.get("bounds") or (None, None)
-        covariance = data.get("covariance")
-        return cls(
-            str(data["kind"]),
-            dict(data["coefficients"]),
-            (float(data["interval_h"][0]), float(data["interval_h"][1])),
-            (-np.inf if low is None else float(low), np.inf if high is None else float(high)),
-            None if covariance is None else np.asarray(covariance, float),
-        )
+        try:
+            low, high = data.get("bounds") or (None, None)
+            start, end = data["interval_h"]
+            covariance = data.get("covariance")
+            kind, coefficients = str(data["kind"]), dict(data["coefficients"])
+            interval = (float(start), float(end))
+            bounds = (-np.inf if low is None else float(low), np.inf if high is None else float(high))
+            matrix = None if covariance is None else np.asarray(covariance, float)
+        except (TypeError, ValueError, OverflowError) as error:
+            raise ParameterError(f"a trend is incomplete or damaged: {error}") from None
+        return cls(kind, coefficients, interval, bounds, matrix)
 
     def _evaluated(self, hours: ArrayLike) -> tuple[Floats, dict[str, Floats]]:
         t = np.asarray(hours, float)
@@ -435,5 +446,9 @@ AnyTrend = Trend | Tabulated
 def trend_from_dict(data: Mapping[str, Any]) -> AnyTrend:
     """Back from ``to_dict`` of either; raises `ParameterError` or KeyError when something is missing."""
     if data.get("kind") == "tabulated":
-        return Tabulated(np.asarray(data["hours"], float), np.asarray(data["values"], float))
+        try:
+            hours, values = np.asarray(data["hours"], float), np.asarray(data["values"], float)
+        except (TypeError, ValueError, OverflowError) as error:
+            raise ParameterError(f"a tabulated trend is damaged: {error}") from None
+        return Tabulated(hours, values)
     return Trend.from_dict(data)

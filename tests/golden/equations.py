@@ -24,11 +24,15 @@ class Equation(NamedTuple):
 EQUATIONS = {
     equation.function.__name__: equation
     for equation in (
-        Equation(equations.rho_d1, ("C1", "C2", "C3", "cos_dphi", "tan_beta", "tan_half", "K_d"), "rho_d1"),
+        Equation(
+            equations.rho_d1,
+            ("C1", "C2", "C3", "cos_dphi", "one_less_abs_cos_dphi", "tan_beta", "tan_half", "K_d"),
+            "rho_d1",
+        ),
         Equation(equations.alpha, ("theta_r", "theta_i"), "alpha"),
         Equation(equations.beta, ("theta_r", "theta_i"), "beta"),
         Equation(equations.C1, ("sigma_d",), "C1"),
-        Equation(equations.C2, ("sin_alpha", "beta", "cos_dphi", "sigma_d"), "C2"),
+        Equation(equations.C2, ("sin_alpha", "sin_alpha_less_cube", "cos_dphi", "sigma_d"), "C2"),
         Equation(equations.C3, ("alpha", "beta", "sigma_d"), "C3"),
         Equation(equations.rho_d2, ("beta", "cos_dphi", "sigma_d", "K_d"), "rho_d2"),
         Equation(equations.rho_d, ("rho_d1", "rho_d2"), "rho_d"),

@@ -7,8 +7,9 @@ import os
 import re
 import shutil
 import tempfile
+import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from motes.material import Material
 
 LONGEST_NAME = 60
+STALE = 24 * 3600.0  # seconds
 
 
 def existing(path: str) -> Path:
@@ -69,7 +71,8 @@ def results(folder: Path) -> Iterator[Path]:
     """A folder in which to write results; they move into `folder` together when the block ends well.
 
     `folder` is made and tried on entry, before any work is done for it.  When the block fails, everything made here is
-    gone again, and what `folder` held before is untouched.
+    gone again, and what `folder` held before is untouched.  A process that is killed leaves its hidden folder behind, which
+    a run on another day removes.
 
     Raises
     ------
@@ -83,6 +86,7 @@ def results(folder: Path) -> Iterator[Path]:
             made.append(missing)
             missing = missing.parent
         folder.mkdir(parents=True, exist_ok=True)
+        _remove_stale(folder)
         staging = Path(tempfile.mkdtemp(prefix=".motes-", suffix=".partial", dir=folder))
     except (OSError, ValueError) as error:
         _remove_empty(made)
@@ -97,6 +101,14 @@ def results(folder: Path) -> Iterator[Path]:
         _remove_empty(made)
         raise
     staging.rmdir()
+
+
+def _remove_stale(folder: Path) -> None:
+    """Remove what killed processes left; another one may be at work on a folder of today."""
+    for left in folder.glob(".motes-*.partial"):
+        with suppress(OSError):
+            if time.time() - left.stat().st_mtime > STALE:
+                shutil.rmtree(left, ignore_errors=True)
 
 
 def _remove_empty(folders: list[Path]) -> None:

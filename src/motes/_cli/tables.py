@@ -108,8 +108,8 @@ def trend_table(fit: TimeFit, truth: dict[str, Any] | None = None) -> Table:
     for name, rows in _by_name(fit.table()).items():
         t = fit.trends[name]
         if len(rows) > MOST_CHANNELS:
-            first, last = (_numbers(v) for v in t.band(fit.hours[[0, -1]])[0])
-            rows = [{**rows[0], "channel": "", "first": first, "last": last}]
+            first, last = (f"{v.min():.4g} .. {v.max():.4g}" for v in t.band(fit.hours[[0, -1]])[0])
+            rows = [{**rows[0], "channel": f"all {len(rows)}", "first": first, "last": last}]
         for k, row in enumerate(rows):
             ends = [row["first"], row["last"]]
             if not wide:  # the errors need much room

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from motes.fitting.losses import Floats
 from motes.fitting.problem import Normal, Problem, Quantity
+from motes.fitting.result import Verdict
 from motes.fitting.scans import ScanFits
 from motes.fitting.solver import Solution, minimize
 from motes.trends import KINDS, Trend, evaluate, flat
@@ -28,6 +29,8 @@ CANDIDATE_KINDS = ("constant", "linear", "exponential", "logistic", "quadratic",
 MOST_CHANGES = 40
 # Reduction of the objective at which a fit stops, and the most iterations: for the fit that trends are first compared at, and for those that compare them.
 ROUGHLY, NEARLY = (1e-4, 20), (1e-7, 60)
+# Mean square, in standard errors, up to which scans agree on a value.
+AGREEMENT = 9.0
 
 
 @dataclass(frozen=True)
@@ -132,15 +135,14 @@ class Part:
 class Joint:
     """All scans with a kind of trend for each parameter.
 
-    ``hours`` (T,) are the times of the data sets of `problem`; ``scans`` those that take part.  ``middles`` are those of `ScanFits`, and ``inflation``
-    has a number for each part: how much noisier it is than the mean sample says (see `inflated`); 1 where it is empty.
+    ``hours`` (T,) are the times of the data sets of `problem`; ``scans`` those that take part.  ``inflation`` has a
+    number for each part: how much noisier it is than the mean sample says (see `Profile.inflation`); 1 where it is empty.
     """
 
     problem: Problem
     hours: Floats
     scans: NDArray[np.intp]
     parts: tuple[Part, ...]
-    middles: Floats | None = None
     inflation: tuple[float, ...] = ()
 
     @property
@@ -284,6 +286,7 @@ class Profile:
         held = ((c <= low) & (pull > 0)) | ((c >= high) & (pull < 0))
         free = ~held[rest]
         gradient = scan.gradient[:, own].ravel()
+        self.objective = float(scan.objective.sum())
         pick = np.zeros((scans * width, scans, x.shape[1]))  # from the gradients of the scans to the one of this part
         for t in range(scans):
             pick[t * width : (t + 1) * width, t, own] = np.eye(width)
@@ -292,9 +295,9 @@ class Profile:
             onto = cross[:, free] @ inverse
             matrix = matrix - onto @ cross[:, free].T
             gradient = gradient - onto @ slope[free]
+            self.objective -= 0.5 * float(slope[free] @ inverse @ slope[free])  # the others' own way to their minimum
             pick -= np.einsum("vk,tpk->vtp", onto, jacobian[:, :, rest[free]])
         self.matrix, self.gradient, self._pick = matrix, gradient, pick
-        self.objective = float(scan.objective.sum())
         # Where the scans would like the values to be: the minimum of the quadratic, as far as they say.
         eigenvalues, vectors = np.linalg.eigh(matrix)
         along = vectors.T @ gradient
@@ -305,19 +308,19 @@ class Profile:
         self.least = self.objective - 0.5 * float(np.sum(along[seen] ** 2 / eigenvalues[seen]))
         self.wish = np.clip(self.values - move.reshape(self.values.shape), *self.part.quantity.parameter.fit_bounds)
 
-    def inflation(self, noise: float) -> float:
+    def inflation(self, middles: Floats, noise: float) -> float:
         """How many times the variance of this part's smooth changes exceeds what the mean square `noise` of a residual says; at least 1.
 
         The samples of a highlight are brighter, so noisier, than most; an objective that weighs all alike then falls by more than it should when a
-        coefficient is added.  Counting that coefficient as so many makes the criterion fair: the composite-likelihood BIC of Gao and Song (2010).
+        coefficient is added.  `middles` are the sandwich's of the scans (T, P, P).  Counting that coefficient as so many makes the criterion fair: the composite-likelihood BIC of Gao and Song (2010).
         """
-        if self.joint.middles is None or not noise > 0:
+        if not noise > 0:
             return 1.0
         hours = self.joint.hours[self.joint.scans]
         smooth = np.stack(KINDS["cubic"].basis(hours, *self.part.interval), axis=1)  # (T, 4)
         directions = np.kron(smooth, np.eye(self.part.width))
         picked = np.einsum("vtp,vk->tpk", self._pick, directions)
-        middle = np.einsum("tpk,tpq,tql->kl", picked, self.joint.middles, picked, optimize=True)
+        middle = np.einsum("tpk,tpq,tql->kl", picked, middles, picked, optimize=True)
         inverse = np.linalg.pinv(directions.T @ self.matrix @ directions, rcond=1e-9, hermitian=True)
         rank = np.linalg.matrix_rank(inverse, hermitian=True)
         return max(float(np.trace(inverse @ middle)) / (max(rank, 1) * noise), 1.0)
@@ -361,11 +364,16 @@ class Profile:
         return table
 
 
-def surveyed(joint: Joint, c: Floats, noise: float) -> tuple[Joint, list[Profile]]:
+def surveyed(joint: Joint, c: Floats) -> tuple[Joint, list[Profile]]:
     """The profiles of all parts at coefficients `c`, and the joint fit with their inflation."""
     at = survey(joint, c)
+    noise = 2 * float(at.scan.objective.sum()) / joint.samples
+    nothing = np.zeros((joint.problem.size, joint.problem.size))  # the leverage of one sample hardly counts here
+    middles = np.stack(
+        [joint.problem.spread(x, nothing, np.array([t])) for x, t in zip(at.x, joint.scans, strict=True)]
+    )
     profiles = [Profile(joint, c, k, at) for k in range(len(joint.parts))]
-    joint = replace(joint, inflation=tuple(p.inflation(noise) for p in profiles))
+    joint = replace(joint, inflation=tuple(p.inflation(middles, noise) for p in profiles))
     for profile in profiles:
         profile.joint = joint
     return joint, profiles
@@ -391,7 +399,46 @@ def first_guess(
             values = np.stack([np.interp(hours[scans], hours[scans][known], v[known]) for v in values.T], axis=1)
         parts.append(part)
         starts.append(part.starts(hours[scans], values)[0])
-    return Joint(problem, hours, scans, tuple(parts), fits.middles), np.concatenate(starts)
+    joint = Joint(problem, hours, scans, tuple(parts))
+
+    def nearest(batch: Floats) -> Normal:
+        """To the scans' own fits, as far as each determines what: by their normal matrices, without a look at the data."""
+        results = []
+        for c in batch:
+            x, jacobian = joint.vectors(c)
+            away = x - fits.x
+            push = np.einsum("tpq,tq->tp", fits.normal.matrix, away)
+            matrix = np.einsum("tpk,tpq,tql->kl", jacobian, fits.normal.matrix, jacobian, optimize=True)
+            objective = fits.normal.objective.sum() + 0.5 * float(np.sum(away * push))
+            results.append((objective, np.einsum("tpk,tp->k", jacobian, push), matrix))
+        return Normal(*(np.array(part) for part in zip(*results, strict=True)))
+
+    # Both the plain values and the nearest trends are starts: a scan on a false branch spoils one or the other.
+    plain = np.concatenate(starts)[None]
+    low, high = joint.bounds()
+    both = np.concatenate([plain, minimize(nearest, plain, low, high, max_iterations=30, reduction=1e-6).x])
+    rough = joint.solve(both, *ROUGHLY)
+    return joint, rough.x[rough.best()]
+
+
+def steady_values(problem: Problem, fits: ScanFits) -> dict[str, Floats]:
+    """Parameters that some scans do not determine and the others agree on, with that value (W,).
+
+    Where a scan says nothing of a parameter its trend can wander off, into a minimum of its own; `select` tries whether a constant does.
+    """
+    found = {}
+    for q in problem.quantities:
+        values, errors = fits.x[:, q.where], fits.stderr[:, q.where]
+        unseen = (Verdict.UNIDENTIFIABLE, Verdict.WEAK)
+        sure = np.array([not any(v in unseen for v in verdicts[q.where]) for verdicts in fits.verdicts])
+        sure &= np.isfinite(errors).all(axis=1) & (errors > 0).all(axis=1)
+        if sure.sum() < 2:
+            continue
+        weights = 1 / errors[sure] ** 2
+        mean = (weights * values[sure]).sum(axis=0) / weights.sum(axis=0)
+        if np.mean(weights * (values[sure] - mean) ** 2) < AGREEMENT:
+            found[q.name] = mean
+    return found
 
 
 class Proposal(NamedTuple):
@@ -430,13 +477,43 @@ def _changed(joint: Joint, c: Floats, proposals: list[Proposal]) -> tuple[Joint,
     return replace(joint, parts=parts), np.concatenate(pieces)
 
 
+def _steadied(
+    joint: Joint,
+    solution: Solution,
+    bic: float,
+    fixed_kinds: Mapping[str, str],
+    steady: Mapping[str, Floats],
+    seen: set[tuple[str, ...]],
+) -> tuple[Joint, Solution] | None:
+    """The joint fit with constants for what is `steady`, all at once or one at a time, if that is better."""
+    candidates = [
+        Proposal(-math.inf, k, "constant", steady[p.quantity.name])
+        for k, p in enumerate(joint.parts)
+        if p.kind != "constant" and p.quantity.name in steady and p.quantity.name not in fixed_kinds
+    ]
+    choices = [candidates] if len(candidates) == 1 else [candidates, *([c] for c in candidates)] if candidates else []
+    for chosen in choices:
+        changed, start = _changed(joint, solution.x[0], chosen)
+        kinds = tuple(p.kind for p in changed.parts)
+        if kinds in seen:
+            continue
+        seen.add(kinds)
+        tried = changed.solve(start[None], *NEARLY)
+        if changed.bic(float(tried.normal.objective[0])) < bic:
+            return changed, tried
+    return None
+
+
 def select(
-    joint: Joint, c: Floats, fixed_kinds: Mapping[str, str], progress: Any = None, noise: float = 0.0
+    joint: Joint,
+    c: Floats,
+    fixed_kinds: Mapping[str, str],
+    progress: Any = None,
+    steady: Mapping[str, Floats] | None = None,
 ) -> tuple[Joint, Solution, dict[str, list[Alternative]]]:
     """Choose the kind of each trend by BIC: the best single change by the quadratic is fitted in full, until none helps.
 
-    `noise` is the mean square of a weighted residual, by the scans' own fits.  Returns the joint fit, its solution, and for each parameter the
-    alternatives with their distance in BIC.
+    `steady` are values that may be constant (`steady_values`).  Returns the joint fit, its solution, and for each parameter the alternatives with their distance in BIC.
     """
     solution = joint.solve(c[None], *ROUGHLY)
     settled = [
@@ -450,12 +527,16 @@ def select(
     refused: set[tuple[str, str]] = set()
     seen: set[tuple[str, ...]] = set()  # the inflation changes with the trends, so that a choice could come round again
     for step in range(MOST_CHANGES):
-        joint, profiles = surveyed(joint, solution.x[0], noise)
+        joint, profiles = surveyed(joint, solution.x[0])
         bic = joint.bic(float(solution.normal.objective[0]))
         seen.add(tuple(p.kind for p in joint.parts))
         proposals = _proposals(joint, profiles, bic, fixed_kinds, refused)
         if not proposals:
-            break
+            steadier = _steadied(joint, solution, bic, fixed_kinds, steady or {}, seen)
+            if steadier is None:
+                break
+            joint, solution = steadier
+            continue
         # All at once first; if that is no better, the most promising one.
         for chosen in (proposals, proposals[:1]) if len(proposals) > 1 else (proposals,):
             changed, start = _changed(joint, solution.x[0], chosen)
@@ -472,7 +553,7 @@ def select(
         else:
             refused.add((joint.parts[proposals[0].part].quantity.name, proposals[0].kind))
     solution = joint.solve(solution.x)
-    joint, profiles = surveyed(joint, solution.x[0], noise)
+    joint, profiles = surveyed(joint, solution.x[0])
     bic = joint.bic(float(solution.normal.objective[0]))
     alternatives: dict[str, list[Alternative]] = {}
     for index, (part, where) in enumerate(zip(joint.parts, joint.slices(), strict=True)):
@@ -505,6 +586,7 @@ __all__ = [
     "first_guess",
     "flat",
     "select",
+    "steady_values",
     "survey",
     "surveyed",
 ]

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from motes.errors import DataError, MotesError
-from motes.fitting.joint import Alternative, Joint, determined, first_guess, select
+from motes.fitting.joint import Alternative, Joint, determined, first_guess, select, steady_values
 from motes.fitting.losses import LOSSES, ROBUST, Floats
 from motes.fitting.problem import Problem
 from motes.fitting.result import Fit, Status, Trial, Verdict
@@ -294,7 +294,11 @@ def _joint(
         joint, c = first_guess(problem, hours, part, usable[kept], kinds)
         level = float(np.median(_noise(problem, part, usable[kept])) ** 2)
         joint, solution, alternatives = select(
-            joint, c, kinds, lambda done, total, what: say(45 + done, 100, what), level
+            joint,
+            c,
+            kinds,
+            lambda done, total, what: say(45 + done, 100, what),
+            steady_values(problem, part),
         )
         return joint, solution, alternatives, _misfit(replace(joint, scans=usable), solution.x[0], fits, level)
 

@@ -24,6 +24,7 @@ class Status(StrEnum):
 
     CONVERGED = "converged: no step makes the residuals smaller"
     SMALL_STEP = "converged: the parameters no longer move"
+    IDLE = "converged: the residuals hardly shrink any more"
     PERFECT = "converged: the residuals are zero to rounding"
     NO_PROGRESS = "stopped: the damping grew without finding a better point"
     MAX_ITERATIONS = "stopped: the iterations ran out before it converged"

@@ -19,15 +19,13 @@ ROUGH_DIRECTIONS = 300
 
 @dataclass(frozen=True)
 class ScanFits:
-    """One fit for each of T scans: parameter vectors, standard errors (T, P), verdicts, normal equations, status, and the middles of their sandwich
-    estimators (T, P, P), see `Problem.spread`."""
+    """One fit for each of T scans: parameter vectors, standard errors (T, P), verdicts, normal equations, and status."""
 
     x: Floats
     stderr: Floats
     verdicts: list[list[Verdict]]
     normal: Normal
     status: list[Status]
-    middles: Floats
 
     def select(self, kept: NDArray[np.intp]) -> ScanFits:
         """Some of the scans, by position."""
@@ -37,7 +35,6 @@ class ScanFits:
             [self.verdicts[k] for k in kept],
             Normal(*(part[kept] for part in self.normal)),
             [self.status[k] for k in kept],
-            self.middles[kept],
         )
 
 
@@ -83,10 +80,6 @@ def fit_scans(problem: Problem, scans: NDArray[np.intp]) -> ScanFits:
     pick = final.normal.objective.reshape(len(scans), 3).argmin(axis=1) + 3 * np.arange(len(scans))
     x = final.x[pick]
     chosen = Normal(*(part[pick] for part in final.normal))
-    middles = [
-        problem.spread(row, np.linalg.pinv(matrix, rcond=1e-12, hermitian=True), np.array([t]))
-        for t, row, matrix in zip(scans, x, chosen.matrix, strict=True)
-    ]
     errors = [uncertainty(single(problem, int(t)), row) for t, row in zip(scans, x, strict=True)]
     return ScanFits(
         x,
@@ -94,5 +87,4 @@ def fit_scans(problem: Problem, scans: NDArray[np.intp]) -> ScanFits:
         [e.verdicts for e in errors],
         chosen,
         [final.status[k] for k in pick],
-        np.stack(middles),
     )

@@ -20,6 +20,9 @@ from motes.fitting.result import Status
 # A parameter that, moved by its own size, changes the squared residuals by less than this share of the objective stays
 # where it is for a step: its derivative is noise, and a step along it would spoil the steps of the others.
 BLIND = 1e-18
+# A fit ends after so many better points in a row, none of them better by 100 times what `minimize` takes for converged:
+# it creeps along a valley that the data hardly tell from its floor.
+PATIENCE = 8
 
 
 @dataclass
@@ -59,7 +62,7 @@ def minimize(
     sets
         What each row belongs to (B,), passed on to `normal` as a second argument.
     reduction
-        Converged when a full step promises less than this share of the objective.
+        Converged when a full step promises less than this share of the objective; see also `PATIENCE`.
     step
         Converged when a step moves every parameter by less than this share of it.
     """
@@ -75,6 +78,7 @@ def minimize(
     status = [Status.MAX_ITERATIONS] * batch
     iterations = np.zeros(batch, np.int64)
     damping, growth = np.full(batch, 1e-3), np.full(batch, 2.0)
+    idle = np.zeros(batch, np.int64)
     running = np.arange(batch)
     with np.errstate(all="ignore"):
         for _ in range(max_iterations):
@@ -92,6 +96,7 @@ def minimize(
                 Status.PERFECT: objective[running] <= 1e-30,
                 Status.CONVERGED: full_step & (np.abs(promised) <= reduction * objective[running]),
                 Status.SMALL_STEP: small.all(axis=1),
+                Status.IDLE: idle[running] >= PATIENCE,
                 Status.NO_PROGRESS: damping[running] > 1e12,
             }
             finished = np.zeros(len(running), bool)
@@ -107,6 +112,8 @@ def minimize(
             gain = (objective[running] - new.objective) / np.where(promised > 0, promised, np.inf)
             better = np.isfinite(new.objective) & (new.objective < objective[running])
             accepted = running[better]
+            shrunk = objective[accepted] - new.objective[better] > 100 * reduction * objective[accepted]
+            idle[accepted] = np.where(shrunk, 0, idle[accepted] + 1)
             x[accepted] = moved[better]
             objective[accepted], gradient[accepted], matrix[accepted] = (part[better] for part in new)
             factor = np.clip(1 - (2 * gain - 1) ** 3, 1 / 5, 2.0)

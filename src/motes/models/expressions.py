@@ -117,9 +117,7 @@ def _value(node: ast.AST, declared: Any, path: tuple[str, ...], fixed: set[tuple
         try:
             value = ast.literal_eval(node)
         except (ValueError, TypeError, SyntaxError, MemoryError, RecursionError):
-            raise ParameterError(
-                f"{declared.name} = {_quoted(node)} is not a number or a list of numbers"
-            ) from None
+            raise ParameterError(f"{declared.name} = {_quoted(node)} is not a number or a list of numbers") from None
         fixed.add(path)
         return value
     if isinstance(node, ast.Constant) and isinstance(node.value, str):

@@ -51,9 +51,19 @@ class OrenNayar(BRDF):
         alpha = equations.alpha(xp, geometry.theta_r, geometry.theta_i)
         beta = equations.beta(xp, geometry.theta_r, geometry.theta_i)
         C1 = equations.C1(xp, self.sigma_d)
-        C2 = equations.C2(xp, geometry.sin_alpha, beta, geometry.cos_dphi, self.sigma_d)
+        C2 = equations.C2(xp, geometry.sin_alpha, geometry.sin_alpha_less_cube, geometry.cos_dphi, self.sigma_d)
         C3 = equations.C3(xp, alpha, beta, self.sigma_d)
-        rho_d1 = equations.rho_d1(xp, C1, C2, C3, geometry.cos_dphi, geometry.tan_beta, geometry.tan_half, self.K_d)
+        rho_d1 = equations.rho_d1(
+            xp,
+            C1,
+            C2,
+            C3,
+            geometry.cos_dphi,
+            geometry.one_less_abs_cos_dphi,
+            geometry.tan_beta,
+            geometry.tan_half,
+            self.K_d,
+        )
         rho_d2 = equations.rho_d2(xp, beta, geometry.cos_dphi, self.sigma_d, self.K_d)
         return xp.maximum(equations.rho_d(xp, rho_d1, rho_d2), 0.0)
 

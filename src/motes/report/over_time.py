@@ -524,12 +524,12 @@ def _use(context: TimeContext) -> Html:
     text = json.dumps(context.fit.material.to_dict(), indent=1, default=str)
     address = "data:application/json;base64," + base64.b64encode(text.encode()).decode("ascii")
     middle = float(f"{0.5 * (context.times.first + context.times.last):.3g}")
-    code = (
-        "import motes\n"
-        'material = motes.load("material.json")       # written by motes fit, or saved from the link below\n'
-        f"brdf = material.at(hours={middle:g})               # beyond the last scan it extrapolates\n"
-        "f = brdf.eval(wi, wo)                        # 1/sr, without the cosine; wi, wo (..., 3) unit vectors"
+    lines = (
+        ('material = motes.load("material.json")', "written by motes fit, or saved from the link below"),
+        (f"brdf = material.at(hours={middle:g})", "beyond the last scan it extrapolates"),
+        ("f = brdf.eval(wi, wo)", "1/sr, without the cosine; wi, wo (..., 3) unit vectors"),
     )
+    code = "import motes\n" + "\n".join(f"{line:<42}# {words}" for line, words in lines)
     return join(
         tag("pre", tag("code", code)),
         tag("p", tag("a", "Save material.json", href=address, download="material.json"), " (it is part of this page)."),
