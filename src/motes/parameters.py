@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
+from functools import cache
 from typing import Any, Self
 
 import numpy as np
@@ -167,6 +168,11 @@ def parameter(
     return field(default=default, metadata={"parameter": declared})
 
 
+@cache
+def _declared(cls: type[Any]) -> tuple[Parameter, ...]:
+    return tuple(Parameter(name=f.name, **f.metadata["parameter"]) for f in fields(cls) if "parameter" in f.metadata)
+
+
 @dataclass(frozen=True)
 class Slot:
     """A parameter in its place in a tree of models: ``slot.name`` is unique in the tree."""
@@ -188,9 +194,7 @@ class Parametrised:
     @classmethod
     def declared(cls) -> tuple[Parameter, ...]:
         """The parameters that this class itself declares, in order."""
-        return tuple(
-            Parameter(name=f.name, **f.metadata["parameter"]) for f in fields(cls) if "parameter" in f.metadata
-        )
+        return _declared(cls)
 
     def children(self) -> dict[str, Parametrised]:
         """The parts of this object that have parameters of their own, by field."""

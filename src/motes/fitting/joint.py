@@ -312,7 +312,8 @@ class Profile:
         """How many times the variance of this part's smooth changes exceeds what the mean square `noise` of a residual says; at least 1.
 
         The samples of a highlight are brighter, so noisier, than most; an objective that weighs all alike then falls by more than it should when a
-        coefficient is added.  `middles` are the sandwich's of the scans (T, P, P).  Counting that coefficient as so many makes the criterion fair: the composite-likelihood BIC of Gao and Song (2010).
+        coefficient is added.  `middles` are the sandwich's of the scans (T, P, P).  Counting the coefficient as so many makes the criterion fair:
+        the composite-likelihood BIC of Gao and Song (2010).
         """
         if not noise > 0:
             return 1.0
@@ -368,9 +369,13 @@ def surveyed(joint: Joint, c: Floats) -> tuple[Joint, list[Profile]]:
     """The profiles of all parts at coefficients `c`, and the joint fit with their inflation."""
     at = survey(joint, c)
     noise = 2 * float(at.scan.objective.sum()) / joint.samples
-    nothing = np.zeros((joint.problem.size, joint.problem.size))  # the leverage of one sample hardly counts here
+    # With the leverage that a sample has within its scan: what is judged are changes from scan to scan.
+    inverses = np.linalg.pinv(at.scan.matrix, rcond=1e-12, hermitian=True)
     middles = np.stack(
-        [joint.problem.spread(x, nothing, np.array([t])) for x, t in zip(at.x, joint.scans, strict=True)]
+        [
+            joint.problem.spread(x, inverse, np.array([t]))
+            for x, inverse, t in zip(at.x, inverses, joint.scans, strict=True)
+        ]
     )
     profiles = [Profile(joint, c, k, at) for k in range(len(joint.parts))]
     joint = replace(joint, inflation=tuple(p.inflation(middles, noise) for p in profiles))
@@ -513,7 +518,8 @@ def select(
 ) -> tuple[Joint, Solution, dict[str, list[Alternative]]]:
     """Choose the kind of each trend by BIC: the best single change by the quadratic is fitted in full, until none helps.
 
-    `steady` are values that may be constant (`steady_values`).  Returns the joint fit, its solution, and for each parameter the alternatives with their distance in BIC.
+    `steady` are values that may be constant (`steady_values`).  Returns the joint fit, its solution, and for each parameter the alternatives with
+    their distance in BIC.
     """
     solution = joint.solve(c[None], *ROUGHLY)
     settled = [

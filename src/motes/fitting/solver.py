@@ -95,7 +95,8 @@ def minimize(
             done = {
                 Status.PERFECT: objective[running] <= 1e-30,
                 Status.CONVERGED: full_step & (np.abs(promised) <= reduction * objective[running]),
-                Status.SMALL_STEP: small.all(axis=1),
+                # Any step is small once it is damped enough: what it promises must be rounding then.
+                Status.SMALL_STEP: small.all(axis=1) & (full_step | (promised <= 1e-13 * objective[running])),
                 Status.IDLE: idle[running] >= PATIENCE,
                 Status.NO_PROGRESS: damping[running] > 1e12,
             }
