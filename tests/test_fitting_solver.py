@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from fitting_nist import SETS, Dataset
 from scipy.optimize import least_squares
 
+from fitting_nist import SETS, Dataset
 from motes.fitting.problem import Normal
 from motes.fitting.result import Status
 from motes.fitting.solver import minimize

@@ -141,22 +141,30 @@ def Phi(xp: Array, sin2_half_gamma: Array, cos2_half_gamma: Array, g: Array) -> 
 
 
 def fresnel_dielectric(xp: Array, cos_theta: Array, n: Array) -> Array:
-    """F of (9) at an interface of relative refractive index n >= 1, unpolarised (Born & Wolf, section 1.5)."""
-    cos_t = xp.sqrt(1 - (1 - cos_theta * cos_theta) / (n * n))
-    s = (cos_theta - n * cos_t) / (cos_theta + n * cos_t)
-    p = (n * cos_theta - cos_t) / (n * cos_theta + cos_t)
+    """F of (9) at an interface of relative refractive index n >= 1, unpolarised (Born & Wolf, section 1.5).
+
+    ``q`` is n cos(theta_t) from n^2 - sin^2(theta) = (n - 1)(n + 1) + cos^2(theta), which does not cancel near n = 1.
+    """
+    q = xp.sqrt((n - 1) * (n + 1) + cos_theta * cos_theta)
+    s = (cos_theta - q) / (cos_theta + q)
+    p = (n * n * cos_theta - q) / (n * n * cos_theta + q)
     return 0.5 * (s * s + p * p)
 
 
 def fresnel_conductor(xp: Array, cos_theta: Array, n: Array, k: Array) -> Array:
-    """F of (9) for a conductor of complex index n + ik, unpolarised (Born & Wolf, section 14.2)."""
+    """F of (9) for a conductor of complex index n + ik, unpolarised (Born & Wolf, section 14.2).
+
+    a + ib is the root of (n + ik)^2 - sin^2(theta); sums of squares, so never negative.
+    """
     c2 = cos_theta * cos_theta
     s2 = 1 - c2
-    t = n * n - k * k - s2
-    a2b2 = xp.sqrt(t * t + 4 * n * n * k * k)
-    a = xp.sqrt(xp.maximum(0.5 * (a2b2 + t), 0.0))
-    s = (a2b2 + c2 - 2 * a * cos_theta) / (a2b2 + c2 + 2 * a * cos_theta)
-    p = s * (a2b2 * c2 + s2 * s2 - 2 * a * cos_theta * s2) / (a2b2 * c2 + s2 * s2 + 2 * a * cos_theta * s2)
+    t = (n - 1) * (n + 1) - k * k + c2
+    m = xp.sqrt(t * t + 4 * (n * k) * (n * k))
+    a, b2 = xp.sqrt(xp.maximum(0.5 * (m + t), 0.0)), xp.maximum(0.5 * (m - t), 0.0)
+    less, more = a - cos_theta, a + cos_theta
+    s = (less * less + b2) / (more * more + b2)
+    less, more = a * cos_theta - s2, a * cos_theta + s2
+    p = s * (less * less + b2 * c2) / (more * more + b2 * c2)
     return 0.5 * (s + p)
 
 

@@ -169,7 +169,7 @@ def parameter(
 
 
 @cache
-def _declared(cls: type[Any]) -> tuple[Parameter, ...]:
+def _declared(cls: Any) -> tuple[Parameter, ...]:
     return tuple(Parameter(name=f.name, **f.metadata["parameter"]) for f in fields(cls) if "parameter" in f.metadata)
 
 

@@ -123,7 +123,7 @@ def _loose(
     for k in bounded.tolist():
         projected = -inverse @ matrix[:, k]  # the others give way
         projected[k] = 1.0
-        noise = float(np.sqrt(max(projected @ middle @ projected, 0.0)))
+        noise = float(np.sqrt(np.maximum(projected @ middle @ projected, 0.0)))
         if abs(float(projected @ gradient)) <= FIRM * noise:
             loose.append(k)
     return np.array(loose, np.intp)
