@@ -72,6 +72,14 @@ class Formulas:
         attenuation = np.minimum(1, 2 * self.cos_h * np.minimum(self.mu_i, self.mu_r) / self.cos_d)
         return K_s * np.exp(-((self.theta_h / sigma_s) ** 2)) * attenuation / (4 * self.mu_i * self.mu_r)
 
+    def dielectric(self, n: Any) -> np.ndarray:
+        """Fresnel's equations by angles: F of equation (9) at the facet."""
+        i = np.arccos(np.clip(self.cos_d, 0, 1))
+        t = np.arcsin(np.sin(i) / n)
+        r_s = (np.cos(i) - n * np.cos(t)) / (np.cos(i) + n * np.cos(t))
+        r_p = (n * np.cos(i) - np.cos(t)) / (n * np.cos(i) + np.cos(t))
+        return 0.5 * (r_s**2 + r_p**2)
+
     def dust(self, w: Any, g: Any) -> np.ndarray:
         phase = (1 - g**2) / (1 + g**2 - 2 * g * self.cos_gamma) ** 1.5
         return w * phase / (4 * np.pi * (self.mu_i + self.mu_r))
@@ -155,3 +163,76 @@ class Oracle:
         rng = np.random.default_rng(seed)
         ends = [self.solve(rng.uniform(low, high), **options) for _ in range(starts)]
         return min(ends, key=lambda end: end.cost)
+
+
+@dataclass
+class Projected:
+    """Oren-Nayar and Torrance-Sparrow with a K_d for each of many channels, by variable projection (Golub and Pereyra
+    1973): SciPy searches the few shared parameters, and K_d of each channel is the best one given these.
+
+    For losses that are linear in f the sum of squares of a channel is a quartic in its K_d, whose coefficients are sums over
+    the samples.  Where the model is cut off at 0 (sigma_d > 0.7) the quartic is not quite it; the residuals always are.
+    """
+
+    wi: np.ndarray
+    wo: np.ndarray
+    values: np.ndarray
+    loss: str = "linear"
+    dielectric: bool = False
+
+    def __post_init__(self) -> None:
+        self.at = Formulas(self.wi, self.wo)
+        self.factor = self.at.mu_i if self.loss == "linear" else np.ones_like(self.at.mu_i)
+        self.names = ["sigma_d", "K_s", "sigma_s"] + ["n"] * self.dielectric
+
+    def highlight(self, x: np.ndarray) -> np.ndarray:
+        f = self.at.torrance_sparrow(x[1], x[2])
+        return f * self.at.dielectric(x[3]) if self.dielectric else f
+
+    def K_d(self, x: np.ndarray) -> np.ndarray:
+        linear, quadratic = (self.factor * part for part in self.at.oren_nayar_parts(x[0]))
+        rest = self.factor * (self.values - self.highlight(x))
+        aa, ab, bb = (np.sum(p * q) for p, q in ((linear, linear), (linear, quadratic), (quadratic, quadratic)))
+        ra, rb = (np.sum(part * rest, axis=0) for part in (linear, quadratic))
+        K = np.maximum(ra / aa, 0)
+        for _ in range(20):
+            slope = K * (aa + K * (3 * ab + 2 * bb * K)) - ra - 2 * rb * K
+            K = np.maximum(K - slope / (aa + 6 * ab * K + 6 * bb * K**2 - 2 * np.minimum(rb, 0)), 0)
+        return K
+
+    def residuals(self, x: np.ndarray) -> np.ndarray:
+        f = self.at.oren_nayar(self.K_d(x), x[0]) + self.highlight(x)
+        return (self.factor * (f - self.values)).ravel()
+
+    def best(self, starts: int = 20, seed: int = 0) -> Any:
+        rng = np.random.default_rng(seed)
+        low, high = np.array([(0, np.pi / 2), (0, INFINITY), (0.005, np.pi / 2), (1.02, 4)])[: len(self.names)].T
+        ends = []
+        for _ in range(starts):
+            x0 = np.array(
+                [rng.uniform(0, 1.2), 10 ** rng.uniform(-2, 3), 10 ** rng.uniform(-2, 0), rng.uniform(1.1, 2.5)]
+            )
+            with np.errstate(all="ignore"):
+                ends.append(
+                    least_squares(
+                        self.residuals, x0[: len(low)], bounds=(low, high), method="trf", x_scale="jac", max_nfev=100
+                    )
+                )
+        return min(ends, key=lambda end: end.cost)
+
+
+def scattered(n: int, seed: int = 0, widest: float = 1.35) -> tuple[np.ndarray, np.ndarray]:
+    """`n` pairs of directions (n, 3) up to `widest` [rad] from the normal, half of them near the mirror direction."""
+    rng = np.random.default_rng([seed, 19])
+
+    def even() -> np.ndarray:
+        z, phi = rng.uniform(np.cos(widest), 1, n), rng.uniform(-np.pi, np.pi, n)
+        r = np.sqrt(1 - z * z)
+        return np.stack([r * np.cos(phi), r * np.sin(phi), z], axis=1)
+
+    wi, wo = even(), even()
+    near = wi * [-1, -1, 1] + rng.normal(0, 0.15, (n, 3))
+    near[:, 2] = np.abs(near[:, 2])
+    near /= np.linalg.norm(near, axis=1, keepdims=True)
+    good = (np.arange(n) < n // 2) & (near[:, 2] > np.cos(widest))
+    return wi, np.where(good[:, None], near, wo)

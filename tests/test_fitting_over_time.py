@@ -97,24 +97,34 @@ def kinds(fit: TimeFit) -> dict[str, str]:
 # ---------------------------------------------------------------- A known truth
 
 
-@pytest.mark.parametrize("seed", range(4))
-def test_the_right_trends_are_chosen_and_hold_the_truth(seed: int) -> None:
-    fit = painted(seed)
-    assert kinds(fit) == TRUE_KINDS
-    assert not fit.outliers
-    assert not fit.findings
-    for name, found in fit.trends.items():
-        assert found.verdict == Verdict.IDENTIFIED
-        truth = TRUTH.trends.get(name) or Trend("constant", {"value": TRUTH.brdf.parameters[name]}, (0, LAST))
-        errors, start = np.sqrt(np.diag(found.trend.covariance)), 0
-        for coefficient in KINDS[truth.kind].coefficients:
-            got = np.atleast_1d(found.trend.coefficients[coefficient.name])
-            own = errors[start : start + len(got)]
-            assert (own > 0).all()
-            assert (np.abs(got - truth.coefficients[coefficient.name]) < 4 * own).all(), (name, coefficient.name)
-            start += len(got)
-        value, error = found.band(UNEVEN)
-        assert (np.abs(value - true_values(name, UNEVEN)) < 4 * error).all()
+def test_the_right_trends_are_chosen_and_hold_the_truth() -> None:
+    """Of 32 choices one in ten may be wrong, for the noise can look like a change; the band must hold the truth all the same."""
+    right = 0
+    for seed in range(8):
+        fit = painted(seed)
+        assert not fit.outliers
+        assert not fit.findings
+        for name, found in fit.trends.items():
+            assert found.verdict == Verdict.IDENTIFIED
+            value, error = found.band(UNEVEN)
+            assert (np.abs(value - true_values(name, UNEVEN)) < 4 * error).all(), (seed, name)
+            if found.trend.kind != TRUE_KINDS[name]:
+                assert found.alternatives[1].kind == TRUE_KINDS[name]
+                continue
+            right += 1
+            truth = TRUTH.trends.get(name) or Trend("constant", {"value": TRUTH.brdf.parameters[name]}, (0, LAST))
+            errors, start = np.sqrt(np.diag(found.trend.covariance)), 0
+            for coefficient in KINDS[truth.kind].coefficients:
+                got = np.atleast_1d(found.trend.coefficients[coefficient.name])
+                own = errors[start : start + len(got)]
+                assert (own > 0).all()
+                assert (np.abs(got - truth.coefficients[coefficient.name]) < 4 * own).all(), (
+                    seed,
+                    name,
+                    coefficient.name,
+                )
+                start += len(got)
+    assert right >= 29
 
 
 def test_together_the_scans_say_more_than_each() -> None:

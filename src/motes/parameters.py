@@ -194,7 +194,7 @@ class Parametrised:
     @classmethod
     def declared(cls) -> tuple[Parameter, ...]:
         """The parameters that this class itself declares, in order."""
-        return _declared(cls)
+        return _declared(cls)  # type: ignore[arg-type]
 
     def children(self) -> dict[str, Parametrised]:
         """The parts of this object that have parameters of their own, by field."""

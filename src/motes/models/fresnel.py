@@ -68,7 +68,6 @@ class Conductor(Fresnel):
     )
 
     def reflectance(self, xp: Array, cos_theta_d: Array) -> Array:
-        # Rounding takes it to -1e-16 where n + ik is near 1 and nothing is reflected.
         return equations.fresnel_conductor(xp, cos_theta_d, self.n, self.k)
 
 

@@ -1,0 +1,205 @@
+"""Fit every real measurement at hand and write docs/results.md.
+
+usage: python tools/results.py [--data ../shared/data] [-o docs/results.md]
+
+The page is made by this script alone; parts whose data are missing are left out, and the page says so.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import io
+import platform
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+
+import motes
+from motes.files import write_text
+from motes.measurements import list_samples
+
+RICH = "oren_nayar + torrance_sparrow"
+CORNELL = {"garnet_red.brdf": "garnet red", "krylon_blue.brdf": "Krylon blue", "cayman.brdf": "Cayman"}
+FRESNEL = {
+    "F = 1": RICH,
+    "dielectric, n = 1.5": "oren_nayar + torrance_sparrow(fresnel=dielectric(n=1.5))",
+    "dielectric, n fitted": "oren_nayar + torrance_sparrow(fresnel=dielectric)",
+    "Schlick, f0 fitted": "oren_nayar + torrance_sparrow(fresnel=schlick)",
+}
+MERL = ("pink-felt", "blue-acrylic", "alum-bronze", "special-walnut-224")
+
+
+def percent(x: float) -> str:
+    return f"{100 * x:.1f}"
+
+
+def number(fit: motes.Fit, name: str) -> str:
+    """A value with its error, or the reason why it has none."""
+    p = fit.parameters.get(name)
+    if p is None:
+        return ""
+    if np.ndim(p.value):
+        return f"{np.min(p.value):.3g} to {np.max(p.value):.3g}"
+    return (
+        f"{p.value:.3g} ± {p.stderr:.1g}"
+        if np.isfinite(p.stderr)
+        else f"{p.value:.3g} ({p.verdict.name.lower().replace('_', ' ')})"
+    )
+
+
+def curet(folder: Path) -> list[str]:
+    rows, table = [], []
+    for sample in list_samples(folder):
+        data = motes.read(folder, sample=int(sample))
+        plain = [motes.fit(data, model, loss="plain") for model in ("oren_nayar", RICH)]
+        linear = motes.fit(data, RICH)
+        auto = motes.fit(data)
+        rows.append([f.metrics["relative_rms"] for f in (*plain, linear, auto)])
+        p = [number(plain[1], name) for name in ("K_d", "sigma_d", "K_s", "sigma_s")]
+        masked = data.mask.size - int(data.mask.sum())
+        table.append(f"| {sample} | {' | '.join(percent(x) for x in rows[-1])} | {' | '.join(p)} | {masked} |")
+    medians = np.median(rows, axis=0)
+    ten = motes.read(folder, sample=10)
+    fits = {loss: motes.fit(ten, "oren_nayar", loss=loss) for loss in ("plain", "linear")}
+    r, f = ten.values[0], fits["plain"].predicted
+    to_mean = float(np.sqrt(np.mean((f - r) ** 2)) / r.mean())
+    return [
+        "## CUReT",
+        "",
+        f"{len(table)} samples, 205 directions each, grey. Relative RMS in percent: Oren-Nayar (ON) alone and with Torrance-Sparrow (ON+TS) by plain least",
+        "squares, which minimises just this figure; ON+TS by the loss `linear`; and the model that `auto` chooses (loss `linear`). Parameters are those of ON+TS, plain.",
+        "",
+        f"**Medians: ON {percent(medians[0])} %, ON+TS {percent(medians[1])} %**, ON+TS linear {percent(medians[2])} %, auto {percent(medians[3])} %.",
+        "",
+        *[
+            f"Sample 10, ON alone, loss `{loss}`: sigma_d = {fit.parameters['sigma_d'].value:.3f} rad, K_d = {fit.parameters['K_d'].value:.3f}, relative RMS"
+            f" {percent(fit.metrics['relative_rms'])} %."
+            for loss, fit in fits.items()
+        ],
+        f"Over the mean instead of the RMS of the data, plain: {percent(to_mean)} %.",
+        "",
+        "| sample | ON | ON+TS | ON+TS linear | auto | K_d | sigma_d [rad] | K_s | sigma_s [rad] | masked |",
+        "|---|---|---|---|---|---|---|---|---|---|",
+        *table,
+    ]
+
+
+def cornell(folder: Path) -> list[str]:
+    table = []
+    for file, name in CORNELL.items():
+        if not (folder / file).exists():
+            continue
+        data = motes.read(folder / file)
+        for title, model in FRESNEL.items():
+            fit = motes.fit(data, model)
+            optics = number(fit, "n") or number(fit, "f0")
+            values = [number(fit, k) for k in ("K_d", "sigma_d", "K_s", "sigma_s")]
+            table.append(
+                f"| {name} | {title} | {percent(fit.metrics['relative_rms'])} | {' | '.join(values)} | {optics} | {fit.seconds:.1f} |"
+            )
+    return [
+        "## Cornell gloss paints",
+        "",
+        "1439 directions, 31 wavelengths, fitted together: K_d for each wavelength, one highlight for all. Loss `linear`. F = 1, as the source has it, cannot follow the",
+        "rise of the highlight towards grazing; a Fresnel term mends it, and finds the refractive index of a varnish.",
+        "",
+        "| paint | Fresnel term | relative RMS [%] | K_d | sigma_d [rad] | K_s | sigma_s [rad] | n or f0 | seconds |",
+        "|---|---|---|---|---|---|---|---|---|",
+        *table,
+    ]
+
+
+def merl(data: Path) -> list[str]:
+    writer = data.parent / "tools" / "write_merl.py"
+    if not writer.exists() or not (data / "merl-nbrdf").exists():
+        return []
+    table = []
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([sys.executable, writer, folder, *MERL], check=True, capture_output=True)
+        for name in MERL:
+            start = time.perf_counter()
+            measurement = motes.read(Path(folder) / f"{name}.binary")
+            reading = time.perf_counter() - start
+            for label, model, limit in (("ON+TS", RICH, None), ("ON+TS", RICH, 80), ("auto", "auto", 80)):
+                fit = motes.fit(measurement, model, max_theta=None if limit is None else np.radians(limit))
+                values = [number(fit, k) for k in ("K_d", "sigma_d", "K_s", "sigma_s", "tau")]
+                table.append(
+                    f"| {name} | {label} | {limit or 90}° | {percent(fit.metrics['relative_rms'])} | {fit.metrics['rms_linear']:.2g} | {' | '.join(values)} |"
+                    f" {reading:.1f} + {fit.seconds:.1f} |"
+                )
+    return [
+        "## MERL format",
+        "",
+        "90 x 90 x 180 bins, RGB, weighted by solid angle, loss `linear`. The values are *neural reconstructions* of MERL materials (Sztrajman et al. 2021), within 4 to 26 % of",
+        "the measurement, not the measurement. The unweighted relative RMS counts every bin alike, the grazing ones too, where F = 1 grows without bound; the fit itself",
+        "weighs by solid angle and cosine. Seconds: reading + fitting.",
+        "",
+        "| material | model | up to | relative RMS [%] | RMS of (f - r) cos theta_i | K_d | sigma_d [rad] | K_s | sigma_s [rad] | tau | seconds |",
+        "|---|---|---|---|---|---|---|---|---|---|---|",
+        *table,
+    ]
+
+
+def others(data: Path) -> list[str]:
+    table = []
+    for path in (*sorted((data / "rgl").glob("*.bsdf")), *sorted((data / "mbsdf").glob("*.mbsdf"))):
+        measurement = motes.read(path)
+        for label, model in (("ON+TS", RICH), ("auto", "auto")):
+            fit = motes.fit(measurement, model, loss="log")
+            chosen = "" if model == RICH else f" ({fit.model_text})"
+            masked = measurement.mask.size - int(measurement.mask.sum())
+            share = percent(masked / measurement.mask.size)
+            table.append(
+                f"| {path.stem} | {label}{chosen} | {percent(fit.metrics['relative_rms'])} | {fit.metrics['rms_log']:.2g} | {share} |"
+            )
+    return [
+        "## RGL and MBSDF",
+        "",
+        "Automotive paints, metallic and pearlescent foils, silk: mostly outside what these models describe. Loss `log`.",
+        "",
+        "| material | model | relative RMS [%] | RMS of the log residual | masked [%] |",
+        "|---|---|---|---|---|",
+        *table,
+    ]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--data", type=Path, default=Path(__file__).resolve().parents[2] / "shared" / "data")
+    parser.add_argument(
+        "-o", "--output", type=Path, default=Path(__file__).resolve().parents[1] / "docs" / "results.md"
+    )
+    given = parser.parse_args()
+    page = [
+        "# Results on real measurements",
+        "",
+        "Written by `tools/results.py`: how far the models are from real materials. Relative RMS is RMS(f - r) / RMS(r), unweighted, over unmasked samples. ± is one standard",
+        "error; a reason in brackets stands where there is none.",
+        "",
+        f"Made with Motes {motes.__version__}, Python {platform.python_version()}, NumPy {np.__version__}. Seconds are of a machine with two cores that did other things too.",
+        "",
+    ]
+    parts = {
+        "curet": lambda: curet(given.data / "curet"),
+        "cornell": lambda: cornell(given.data / "cornell"),
+        "merl-nbrdf": lambda: merl(given.data),
+        "rgl": lambda: others(given.data),
+    }
+    for name, part in parts.items():
+        if (given.data / name).exists():
+            print(f"{name} ...", flush=True)
+            with contextlib.redirect_stderr(io.StringIO()):
+                page += [*part(), ""]
+        else:
+            page += [f"*{name}: no data at hand when this page was made.*", ""]
+    write_text(given.output, "\n".join(page))
+    print(given.output)
+
+
+if __name__ == "__main__":
+    main()
