@@ -135,3 +135,14 @@ def test_standard_errors_cover_as_they_should(kind: str) -> None:
     for name, hits in inside.items():
         share = np.mean(hits, axis=0)
         assert ((share > 0.60) & (share < 0.76)).all(), (name, share)
+
+
+def test_what_the_data_cannot_see_is_named() -> None:
+    wi, wo = scattered(150, 6)
+    rng = np.random.default_rng(8)
+    matte = motes.OrenNayar(0.6, 0.4)
+    buried = motes.DustLayer(matte, motes.Dust(0.7, 0.2), tau=25.0)
+    for truth, model, hidden in ((matte, RICH, "sigma_s"), (buried, "dust_layer(oren_nayar)", "sigma_d")):
+        values = truth.eval(wi, wo) * rng.normal(1, 0.02, (len(wi), 1))
+        fit = motes.fit(Measurement.from_arrays(wi, wo, values), model)
+        assert fit.parameters[hidden].verdict.name != "IDENTIFIED", (model, fit.table())

@@ -93,6 +93,8 @@ def uncertainty(problem: Problem, x: Floats) -> Uncertainty:
         doubtful = np.flatnonzero([v == Verdict.IDENTIFIED for v in verdicts] & (stderr > DOUBTFUL * span))
         for k in _as_good_elsewhere(problem, x, doubtful, 0.5 * span, variance):
             verdicts[k] = Verdict.WEAK
+        for k in _borne_by_doubt(problem, x, verdicts, span, data):
+            verdicts[k] = Verdict.WEAK
     else:
         for k in free.tolist():
             verdicts[k] = Verdict.UNIDENTIFIABLE
@@ -147,6 +149,22 @@ def _as_good_elsewhere(
     ends = minimize(problem.normal, starts, low, high, held=held, max_iterations=30, reduction=1e-5)
     worse = 2 * (ends.normal.objective - problem.normal(x[None]).objective) / max(variance, 1e-300)
     return [k for (k, _), rise in zip(lanes, worse, strict=True) if rise < FIRM**2]
+
+
+def _borne_by_doubt(problem: Problem, x: Floats, verdicts: list[Verdict], span: Floats, data: float) -> list[int]:
+    """Identified parameters that act only through one which is not.
+
+    Where K_s may as well be 0, noise lends its highlight a width, and a small error of that width."""
+    doubted: list[int] = []
+    identified = np.array([v == Verdict.IDENTIFIED for v in verdicts])
+    for q in problem.quantities:
+        low = q.parameter.fit_bounds[0]
+        if identified.any() and all(v in (Verdict.WEAK, Verdict.UNIDENTIFIABLE) for v in verdicts[q.where]):
+            without = x.copy()
+            without[q.where] = low
+            unseen = np.diag(problem.curvature(without)) * span**2 <= UNSEEN**2 * max(data, 1e-300)
+            doubted += np.flatnonzero(identified & unseen).tolist()
+    return doubted
 
 
 def judged(parameter: Parameter, value: float, stderr: float) -> Verdict:
