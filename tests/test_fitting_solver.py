@@ -195,30 +195,32 @@ def test_every_way_to_stop() -> None:
 
     assert minimize(uphill, np.array([data.starts[1]]), *free(2)).status == [Status.NO_PROGRESS]
 
-    def creeping(points):  # an objective that falls for ever, by less and less
-        b = np.maximum(points, 1.0)
-        slope = -1e-9 / b**2
-        return Normal(1 + 1e-9 / b[:, 0], slope, 1e-12 / b[:, :, None] ** 2)
+    def creeping(points):  # an objective that falls for ever, by 1e-9 of it a step
+        ones = np.ones((len(points), 1))
+        return Normal(1 - 1e-9 * points[:, 0], -1e-9 * ones, 1e-9 * ones[:, :, None])
 
-    end = minimize(creeping, np.array([[2.0]]), *free(1), max_iterations=2000)
-    assert end.status[0].ok
-    assert end.iterations[0] < 100
+    end = minimize(creeping, np.array([[2.0]]), *free(1))
+    assert end.status == [Status.IDLE]
+    assert end.iterations[0] < 20
 
 
 def test_what_a_step_would_carry_past_a_bound_stops_there_and_the_others_adapt() -> None:
-    """y = a + b with b <= 1: a plain cut of the joint step would leave a at 1 and waste iterations."""
+    """Linear problems with tight boxes: where the joint step is only cut off at them, the others are led astray, and it
+    takes twice as many iterations (110 of them, not 52)."""
+    rng = np.random.default_rng(2)
+    total = 0
+    for _ in range(20):
+        matrix, y = rng.normal(size=(40, 12)) + 1.0, rng.normal(size=40)
+        low = rng.uniform(-0.2, 0.0, 12)
+        high = low + 0.2
 
-    def normal(points):
-        matrix = np.array([[1.0, 1.0, 0], [1, -1, 0.3], [0.2, 0.4, 1]])
-        residual = points @ matrix.T - np.array([4.0, 1.0, 2.0])
-        hessian = np.broadcast_to(matrix.T @ matrix, (len(points), 3, 3))
-        return Normal(0.5 * np.sum(residual**2, axis=1), residual @ matrix, hessian)
+        def normal(points, matrix=matrix, y=y):
+            residual = points @ matrix.T - y
+            hessian = np.broadcast_to(matrix.T @ matrix, (len(points), 12, 12))
+            return Normal(0.5 * np.sum(residual**2, axis=1), residual @ matrix, hessian)
 
-    end = minimize(normal, np.zeros((1, 3)), np.full(3, -9.0), np.array([9.0, 1.0, 9.0]))
-    matrix = np.array([[1.0, 0], [1, 0.3], [0.2, 1]])
-    expected = np.linalg.lstsq(matrix, np.array([3.0, 2.0, 1.6]), rcond=None)[0]
-    np.testing.assert_allclose(end.x[0], [expected[0], 1, expected[1]], rtol=1e-6)
-    assert end.iterations[0] <= 6
+        total += int(minimize(normal, (low + high)[None] / 2, low, high).iterations[0])
+    assert total <= 70
 
 
 def test_a_parameter_that_nothing_depends_on_does_not_block_the_others() -> None:
@@ -227,7 +229,7 @@ def test_a_parameter_that_nothing_depends_on_does_not_block_the_others() -> None
     def normal(points):
         a, b = points[:, :1], points[:, 1:]
         x = np.linspace(0, 1, 20)
-        spike = np.exp(-((0.9 / b) ** 2)) * np.where(np.arange(20) == 7, 1.0, 0.0)  # 1e-200 at b = 0.04
+        spike = np.exp(-((0.9 / b) ** 2)) * np.where(np.arange(20) == 7, 1.0, 0.0)  # 2e-14 at b = 0.16
         residual = a * x + spike - (2 * x + 0.1 * np.sin(40 * x))
         by_b = spike * 2 * 0.9**2 / b**3
         jacobian = np.stack([np.broadcast_to(x, residual.shape), by_b], axis=-1)
@@ -239,6 +241,6 @@ def test_a_parameter_that_nothing_depends_on_does_not_block_the_others() -> None
 
     x = np.linspace(0, 1, 20)
     slope = x @ (2 * x + 0.1 * np.sin(40 * x)) / (x @ x)
-    end = minimize(normal, np.array([[0.1, 0.04]]), np.array([-9.0, 0.005]), np.array([9.0, 1.5]))
+    end = minimize(normal, np.array([[0.1, 0.16]]), np.array([-9.0, 0.005]), np.array([9.0, 1.5]))
     assert end.status[0].ok
-    np.testing.assert_allclose(end.x[0], [slope, 0.04], rtol=1e-6)
+    np.testing.assert_allclose(end.x[0], [slope, 0.16], rtol=1e-6)

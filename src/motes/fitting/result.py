@@ -39,7 +39,7 @@ class Verdict(StrEnum):
     """What the data say about a parameter."""
 
     IDENTIFIED = "identified"
-    WEAK = "weakly identified: the standard error is over half of the value"
+    WEAK = "weakly identified: its error is large, or values far away fit as well"
     UNIDENTIFIABLE = "unidentifiable: the data do not determine it"
     AT_LOWER = "at its lower bound"
     AT_UPPER = "at its upper bound"

@@ -256,8 +256,12 @@ class _Attempt:
         if self.robust != "none":
             residual = problem.residuals(solution.x[solution.best()])[problem.weights > 0]
             scale = 1.4826 * float(np.median(np.abs(residual - np.median(residual))))
-            self.problem = problem.with_scale(ROBUST[self.robust], max(scale, 1e-12))
-            solution = minimize(self.problem.normal, np.concatenate([solution.x, starts]), low, high)
+            scale = max(scale, 1e-12)
+            starts = np.concatenate([solution.x, starts])
+            # The mild function has no valleys of its own; from its ends cauchy does not stop in one of its many.
+            mild = minimize(problem.with_scale(ROBUST["soft_l1"], scale).normal, starts, low, high)
+            self.problem = problem.with_scale(ROBUST[self.robust], scale)
+            solution = minimize(self.problem.normal, np.concatenate([mild.x, starts]), low, high)
         return solution
 
     def _part(self, samples: int) -> Problem:

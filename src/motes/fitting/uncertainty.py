@@ -93,7 +93,7 @@ def uncertainty(problem: Problem, x: Floats) -> Uncertainty:
         doubtful = np.flatnonzero([v == Verdict.IDENTIFIED for v in verdicts] & (stderr > DOUBTFUL * span))
         for k in _as_good_elsewhere(problem, x, doubtful, 0.5 * span, variance):
             verdicts[k] = Verdict.WEAK
-        for k in _borne_by_doubt(problem, x, verdicts, span, data):
+        for k in _borne_by_doubt(problem, x, verdicts, stderr, span, variance):
             verdicts[k] = Verdict.WEAK
     else:
         for k in free.tolist():
@@ -151,18 +151,29 @@ def _as_good_elsewhere(
     return [k for (k, _), rise in zip(lanes, worse, strict=True) if rise < FIRM**2]
 
 
-def _borne_by_doubt(problem: Problem, x: Floats, verdicts: list[Verdict], span: Floats, data: float) -> list[int]:
-    """Identified parameters that act only through one which is not.
+def _borne_by_doubt(
+    problem: Problem, x: Floats, verdicts: list[Verdict], stderr: Floats, span: Floats, variance: float
+) -> list[int]:
+    """Identified parameters that act only through others which may as well be absent.
 
-    Where K_s may as well be 0, noise lends its highlight a width, and a small error of that width."""
-    doubted: list[int] = []
+    Where K_s may be 0, noise lends its highlight a width, and a small error of that width."""
     identified = np.array([v == Verdict.IDENTIFIED for v in verdicts])
+    data = float(np.sum((problem._roots * problem._targets) ** 2))
+    doubted: list[int] = []
     for q in problem.quantities:
         low = q.parameter.fit_bounds[0]
-        if identified.any() and all(v in (Verdict.WEAK, Verdict.UNIDENTIFIABLE) for v in verdicts[q.where]):
-            without = x.copy()
-            without[q.where] = low
-            unseen = np.diag(problem.curvature(without)) * span**2 <= UNSEEN**2 * max(data, 1e-300)
+        near = ~(x[q.where] - low > 4 * stderr[q.where])  # also where there is no error
+        if not near.all() or np.all(x[q.where] <= low):
+            continue
+        without, held = x[None].copy(), np.zeros(len(x), bool)
+        without[0, q.where], held[q.where] = low, True
+        unseen = np.diag(problem.curvature(without[0])) * span**2 <= UNSEEN**2 * max(data, 1e-300)
+        if not np.any(identified & unseen):
+            continue
+        low_x, high_x = problem.bounds
+        end = minimize(problem.normal, without, low_x, high_x, held=held, max_iterations=30, reduction=1e-5)
+        rise = 2 * (end.normal.objective - problem.normal(x[None]).objective) / max(variance, 1e-300)
+        if rise[0] < FIRM**2:
             doubted += np.flatnonzero(identified & unseen).tolist()
     return doubted
 
