@@ -179,7 +179,12 @@ def test_an_interrupt_leaves_nothing(tmp_path: Path) -> None:
     data = simulate(tmp_path / "data", drying_plaster, scans=1, rig=Rig(step_deg=0.05))
     out = tmp_path / "out"
     process = subprocess.Popen(
-        [*MOTES, "fit", str(data), "-o", str(out)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        [*MOTES, "fit", str(data), "-o", str(out)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        # A shell lets its background jobs ignore the signal, and their children inherit that.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
     deadline = time.monotonic() + SECONDS
     while not list(out.glob(".motes-*")):  # the fit begins when its folder is there
