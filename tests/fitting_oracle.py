@@ -31,7 +31,7 @@ BOUNDS = {
     "sigma_d": (0, np.pi / 2),
     "K_s": (0, INFINITY),
     "sigma_s": (0.005, np.pi / 2),
-    "w": (0, INFINITY),
+    "w": (0, 10),
     "g": (-0.98, 0.98),
     "tau": (0, 30),
 }

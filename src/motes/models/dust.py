@@ -44,6 +44,8 @@ class Dust(BRDF):
     w: Array = parameter(
         0.6,
         bounds=(0, float("inf")),
+        # Thin dust shows w tau alone: without an end to w a fit runs away along their product.
+        fit_bounds=(0, 10),
         typical=(0, 1),
         symbol="w",
         doc="single-scattering albedo of the dust",
