@@ -5,8 +5,8 @@ from __future__ import annotations
 import difflib
 import os
 import re
+import secrets
 import shutil
-import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -80,19 +80,22 @@ def results(folder: Path) -> Iterator[Path]:
         When the folder cannot be made or written.
     """
     made: list[Path] = []
+    # Named before it is made: an interrupt between the two leaves nothing.
+    staging = folder / f".motes-{secrets.token_hex(8)}.partial"
     try:
-        missing = folder
-        while not missing.exists() and missing != missing.parent:
-            made.append(missing)
-            missing = missing.parent
-        folder.mkdir(parents=True, exist_ok=True)
-        _remove_stale(folder)
-        staging = Path(tempfile.mkdtemp(prefix=".motes-", suffix=".partial", dir=folder))
-    except (OSError, ValueError) as error:
-        _remove_empty(made)
-        reason = getattr(error, "strerror", None) or str(error)
-        raise MotesError(f"results cannot be written to {folder}: {reason}", "Choose another folder with -o") from error
-    try:
+        try:
+            missing = folder
+            while not missing.exists() and missing != missing.parent:
+                made.append(missing)
+                missing = missing.parent
+            folder.mkdir(parents=True, exist_ok=True)
+            _remove_stale(folder)
+            staging.mkdir(mode=0o700)
+        except (OSError, ValueError) as error:
+            reason = getattr(error, "strerror", None) or str(error)
+            raise MotesError(
+                f"results cannot be written to {folder}: {reason}", "Choose another folder with -o"
+            ) from error
         yield staging
         for file in sorted(staging.iterdir()):
             os.replace(file, folder / file.name)
