@@ -96,8 +96,8 @@ def evaluate(model: Parametrised, wi: ArrayLike, wo: ArrayLike, out: Array | Non
             kernel.driver(
                 *_place(job.wi),
                 *_place(job.wo),
-                _address(constants),
-                _address(varying),
+                address(constants),
+                address(varying),
                 job.count,
                 *_place(target),
                 room,
@@ -145,8 +145,8 @@ def vjp(model: Parametrised, wi: ArrayLike, wo: ArrayLike, upstream: ArrayLike) 
 
     def work(chunk: int, room: int) -> None:
         kernel.driver(
-            *_place(job.wi), *_place(job.wo), _address(constants), _address(varying), job.count, *_place(seed),
-            _address(slopes), _address(totals[chunk]), room, *job.range(chunk),
+            *_place(job.wi), *_place(job.wo), address(constants), address(varying), job.count, *_place(seed),
+            address(slopes), address(totals[chunk]), room, *job.range(chunk),
         )  # fmt: skip
 
     job.run(work)
@@ -238,30 +238,35 @@ class _Job:
 
     def run(self, work: Callable[[int, int], None]) -> None:
         """Call ``work(chunk, room)`` for every chunk, on all cores; `room` is the address of scratch memory."""
-        chunks = iter(range(self.chunks))
-        lock = threading.Lock()
         items = (6 + self.channels) * numba_code.TILE
+        spread(self.chunks, lambda chunk, room: work(chunk, address(room)), lambda: np.empty(items, self.scalar))
 
-        def take() -> int | None:
-            with lock:
-                return next(chunks, None)
 
-        def drain() -> None:
-            room = np.empty(items, self.scalar)
-            while (chunk := take()) is not None:
-                work(chunk, _address(room))
+def spread(tasks: int, work: Callable[[int, Array], None], room: Callable[[], Array]) -> None:
+    """Call ``work(task, memory)`` for each of so many tasks, on all cores; ``room()`` makes a thread's own memory."""
+    waiting = iter(range(tasks))
+    lock = threading.Lock()
 
-        others = []
-        if self.chunks > 1 and _threads() > 1:
-            pool = _helpers()
-            others = [pool.submit(drain) for _ in range(min(_threads(), self.chunks) - 1)]
-        try:
-            drain()
-        finally:  # interrupted: the others stop after their chunk, and nobody frees memory that they use
-            while take() is not None:
-                pass
-            for other in others:
-                other.result()
+    def take() -> int | None:
+        with lock:
+            return next(waiting, None)
+
+    def drain() -> None:
+        memory = room()
+        while (task := take()) is not None:
+            work(task, memory)
+
+    others = []
+    if tasks > 1 and _threads() > 1:
+        pool = _helpers()
+        others = [pool.submit(drain) for _ in range(min(_threads(), tasks) - 1)]
+    try:
+        drain()
+    finally:  # interrupted: the others stop after their task, and nobody frees memory that they use
+        while take() is not None:
+            pass
+        for other in others:
+            other.result()
 
 
 def _batch(slot: Slot) -> tuple[int, ...]:
@@ -289,13 +294,14 @@ def _target(out: Array | None, shape: tuple[int, ...], job: _Job) -> Array:
     )
 
 
-def _address(x: Array) -> int:
+def address(x: Array) -> int:
+    """Where an array begins in memory."""
     return int(x.__array_interface__["data"][0])
 
 
 def _place(x: Array) -> tuple[int, int, int]:
     """Address, step and stride in items of an array (N, k)."""
-    return _address(x), x.strides[0] // x.itemsize, x.strides[1] // x.itemsize
+    return address(x), x.strides[0] // x.itemsize, x.strides[1] // x.itemsize
 
 
 # ---------------------------------------------------------------- threads
@@ -383,18 +389,18 @@ def _made(kind: str, job: _Job) -> _Kernel:
     names |= {seed: f"d{k}" for k, seed in enumerate(seeds.values())}
     pullback = numpy_code.scalar_function("pullback", names, [slopes.get(p.symbol, zero) for p in uniform])
     driver = getattr(
-        _module(printed.source, f"the {kind} of {type(job.model).__name__} in {job.scalar.name}"), printed.driver
+        module(printed.source, f"the {kind} of {type(job.model).__name__} in {job.scalar.name}"), printed.driver
     )
     return _Kernel(driver, printed.varying, printed.totals, uniform, constants, pullback, job.scalar)
 
 
-def _module(source: str, title: str) -> Any:
+def module(source: str, title: str) -> Any:
     """Import a generated module from the cache folder, compiled there; from a temporary folder where that is not possible."""
     import llvmlite
     import numba
 
     from motes import __version__
-    from motes.codegen import intrinsics
+    from motes.codegen import covariance, intrinsics
 
     versions = [
         __version__,
@@ -404,7 +410,8 @@ def _module(source: str, title: str) -> Any:
         platform.python_version(),
         platform.machine(),
     ]
-    basis = [source, *versions, Path(intrinsics.__file__).read_text(encoding="utf-8")]
+    used = [Path(m.__file__ or "").read_text(encoding="utf-8") for m in (intrinsics, covariance)]
+    basis = [source, *versions, *used]
     name = "motes_" + hashlib.sha256("\0".join(basis).encode()).hexdigest()[:24]
     folder = cache_folder()
     try:
