@@ -43,6 +43,10 @@ STRAGGLERS, FEW = lanes.LANES // 4, 8 * lanes.LANES
 ROUNDING = {"moments": 3e-7, "direct": 1e-10}
 
 
+#: Coefficients of trends that are values of the parameter; the others are times and shares.
+VALUE_COEFFICIENTS = ("value", "start", "end", "c0", "c1", "c2", "c3")
+
+
 class TexelStatus(IntEnum):
     """How a texel's fit ended."""
 
@@ -213,13 +217,14 @@ class TexelSolver:
             return fit_slowly(self, data, points, own_starts)
         points = np.clip(points, *self.bounds)
         solver = self._solver("cheapest")
-        if not own_starts:
-            points = solver.best_start(data, points, self._curved())
-        result = solver.fit(data, points)
+        chosen = points if own_starts else solver.best_start(data, points, self._curved())
+        result = solver.fit(data, chosen)
+        if not own_starts and len(points) > 1:
+            self._tried_elsewhere(solver, data, points, result)
         clamped = np.flatnonzero(result.clamped)
         if len(clamped):
             # The model clamps a sample of these at 0, which the moments do not know of.
-            near = np.where(np.isfinite(result.x[clamped]), result.x[clamped], points[clamped])
+            near = np.where(np.isfinite(result.x[clamped]), result.x[clamped], chosen[clamped])
             result.replace(clamped, self._solver("direct").fit(data[clamped], near))
         return self.finished(result)
 
@@ -239,9 +244,28 @@ class TexelSolver:
             )
         return data
 
+    def _tried_elsewhere(self, solver: _Compiled, data: Singles, starts: Floats, result: Raw) -> None:
+        """Fit texels that ended at a bound of a curved column from all starts, and keep what is best.
+
+        A highlight of the least width allowed is mostly a false minimum: a spike at one sample.
+        """
+        low, high = self.bounds
+        with np.errstate(invalid="ignore"):
+            margin = 1e-6 * (1 + np.abs(result.x))
+            stuck = (result.x <= low + margin) | (result.x >= high - margin)
+        rows = np.flatnonzero((stuck & self._curved()).any(axis=1))
+        if not len(rows):
+            return
+        part = data[rows]
+        for start in starts:
+            again = solver.fit(part, np.repeat(start[None], len(rows), axis=0))
+            better = np.flatnonzero(again.squares < result.squares[rows] * (1 - 1e-6))
+            result.replace(rows[better], again.rows(better))
+
     def _curved(self) -> NDArray[np.bool_]:
         """The columns along which an objective has several valleys: those that `best_start` holds."""
-        return np.array([bool(c.parameter.starts) for c in self.columns])
+        values = (None, *VALUE_COEFFICIENTS)
+        return np.array([bool(c.parameter.starts) or c.coefficient not in values for c in self.columns])
 
     def finished(self, raw: Raw) -> TexelFit:
         samples = raw.samples
@@ -311,6 +335,10 @@ class Raw:
             squares=np.zeros(count),
             clamped=np.zeros(count, bool),
         )
+
+    def rows(self, rows: NDArray[np.intp]) -> Raw:
+        """Some of the texels."""
+        return Raw(**{name: part[rows] for name, part in vars(self).items()})
 
     def replace(self, rows: NDArray[np.intp], other: Raw) -> None:
         """Take over rows from other results."""

@@ -65,11 +65,12 @@ def _searched(solver: TexelSolver, texel: Singles) -> list[Floats]:
 
 def _distinct(solver: TexelSolver, points: Floats, most: int) -> Floats:
     """Of many points those farthest from each other, the one in the middle first."""
+    from motes.fitting.texels import VALUE_COEFFICIENTS
+
     low, high = solver.bounds
     points = np.clip(points, low, high)
-    typical = [
-        (c.parameter.typical if c.coefficient in _VALUES or c.coefficient is None else None) for c in solver.columns
-    ]
+    values = (None, *VALUE_COEFFICIENTS)
+    typical = [c.parameter.typical if c.coefficient in values else None for c in solver.columns]
     span = np.array([t[1] - t[0] if t else h - g for t, g, h in zip(typical, low, high, strict=True)])
     scaled = points / np.maximum(span, 1e-12)
     chosen = [int(np.argmin(np.abs(scaled - np.median(scaled, axis=0)).sum(axis=1)))]
@@ -80,6 +81,3 @@ def _distinct(solver: TexelSolver, points: Floats, most: int) -> Floats:
             break
         chosen.append(farthest)
     return points[chosen]
-
-
-_VALUES = frozenset({"value", "start", "end", "c0", "c1", "c2", "c3"})
