@@ -89,7 +89,7 @@ def test_every_texel_without_noise_ends_at_the_truth(solver: TexelSolver, clean,
 
 
 def test_the_optimum_is_scipys() -> None:
-    count = 500
+    count = 120  # benchmarks/fits.py does it for more
     x = truth(count, 11)
     rng = np.random.default_rng(12)
     values = rendered(DUSTY, x)

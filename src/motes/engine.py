@@ -400,7 +400,7 @@ def module(source: str, title: str) -> Any:
     import numba
 
     from motes import __version__
-    from motes.codegen import covariance, intrinsics
+    from motes.codegen import covariance, intrinsics, vectors
 
     versions = [
         __version__,
@@ -410,7 +410,7 @@ def module(source: str, title: str) -> Any:
         platform.python_version(),
         platform.machine(),
     ]
-    used = [Path(m.__file__ or "").read_text(encoding="utf-8") for m in (intrinsics, covariance)]
+    used = [Path(m.__file__ or "").read_text(encoding="utf-8") for m in (intrinsics, covariance, vectors)]
     basis = [source, *versions, *used]
     name = "motes_" + hashlib.sha256("\0".join(basis).encode()).hexdigest()[:24]
     folder = cache_folder()

@@ -108,32 +108,32 @@ PRECISIONS = {"float32": FLOAT32, "float64": FLOAT64}
 
 _TEMPLATE = '''
 @part
-def exp_parts{suffix}(x):
-    """2^(k-1) and exp{suffix}(r) - 1, where x = k ln(2) + r."""
-    x = select(x < {F}({lowest!r}), {F}({lowest!r}), x)
-    x = select(x > {F}({highest!r}), {F}({highest!r}), x)
-    shifted = x * {F}(1.4426950408889634) + {F}({shift!r})
-    k = shifted - {F}({shift!r})
-    r = (x - k * {F}({ln2[0]!r})) - k * {F}({ln2[1]!r})
-    s = float_of({I}((bits_of(shifted) + {I}({exponent})) << {I}({fraction})))
+def exp_parts(x):
+    """2^(k-1) and exp(r) - 1, where x = k ln(2) + r."""
+    x = select(x < F({lowest!r}), F({lowest!r}), x)
+    x = select(x > F({highest!r}), F({highest!r}), x)
+    shifted = x * F(1.4426950408889634) + F({shift!r})
+    k = shifted - F({shift!r})
+    r = (x - k * F({ln2[0]!r})) - k * F({ln2[1]!r})
+    s = float_of(I((bits_of(shifted) + I({exponent})) << I({fraction})))
     p = {exp}
     return s, p * (r * r) + r
 
 
 @part
-def exp{suffix}(x):
-    s, p = exp_parts{suffix}(x)
-    return {F}(2.0) * (s * p + s)
+def exp(x):
+    s, p = exp_parts(x)
+    return F(2.0) * (s * p + s)
 
 
 @part
-def expm1{suffix}(x):
-    s, p = exp_parts{suffix}(x)
-    return {F}(2.0) * (s * p + (s - {F}(0.5)))
+def expm1(x):
+    s, p = exp_parts(x)
+    return F(2.0) * (s * p + (s - F(0.5)))
 
 
 @part
-def asin_near{suffix}(x):
+def asin_near(x):
     """On [-0.7072, 0.7072]."""
     z = x * x
     p = {asin}
@@ -141,40 +141,33 @@ def asin_near{suffix}(x):
 
 
 @part
-def asin{suffix}(x):
+def asin(x):
     """By asin(x) = pi/2 - asin(sqrt(1 - x^2)) where x > sin(pi/4)."""
-    a = select(x < {F}(0.0), -x, x)
-    far = a > {F}(0.70715)
-    y = asin_near{suffix}(select(far, sqrt(({F}(1.0) - a) * ({F}(1.0) + a)), a))
-    y = select(far, {F}(1.5707963267948966) - y, y)
-    return select(x < {F}(0.0), -y, y)
+    a = select(x < F(0.0), -x, x)
+    far = a > F(0.70715)
+    y = asin_near(select(far, sqrt((F(1.0) - a) * (F(1.0) + a)), a))
+    y = select(far, F(1.5707963267948966) - y, y)
+    return select(x < F(0.0), -y, y)
 '''
 
 
-def horner(coefficients: tuple[float, ...], x: str, scalar: str = "F") -> str:
+def horner(coefficients: tuple[float, ...], x: str) -> str:
     """A polynomial, nested."""
-    text = f"{scalar}({coefficients[-1]!r})"
+    text = f"F({coefficients[-1]!r})"
     for c in coefficients[-2::-1]:
-        text = f"({text} * {x} + {scalar}({c!r}))"
+        text = f"({text} * {x} + F({c!r}))"
     return text
 
 
-def source(precision: Precision, scalar: str = "F", integer: str = "I", suffix: str = "") -> str:
-    """Numba source of the functions.
-
-    It needs the names `scalar` and `integer` (types), ``part`` (a decorator) and those of the intrinsics; names of functions end in `suffix`, so
-    that a module can hold two precisions.
-    """
+def source(precision: Precision) -> str:
+    """Numba source of the functions; it needs the names F and I (scalar types), `part` (a decorator) and those of the intrinsics."""
     return _TEMPLATE.format(
-        F=scalar,
-        I=integer,
-        suffix=suffix,
         lowest=precision.lowest,
         highest=precision.highest,
         shift=precision.shift,
         ln2=precision.ln2,
         exponent=precision.bias - 1,
         fraction=precision.fraction,
-        exp=horner(precision.exp, "r", scalar),
-        asin=horner(precision.asin, "z", scalar),
+        exp=horner(precision.exp, "r"),
+        asin=horner(precision.asin, "z"),
     )

@@ -154,7 +154,7 @@ def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     outputs = _without_division(trace.outputs, leaves)
     constants = tracing.frontier(outputs, tracing.dependence(outputs, leaves), PARAMETERS)
     loads, given = _given(trace, constants, rows)
-    lines, results = statements(target(outputs, _inputs(leaves)), outputs, given)
+    lines, results = statements(_target(outputs, _inputs(leaves)), outputs, given)
     lanes = len(results)
     body = [*_loads(trace, lanes, given, rows), *lines]
     body += [f'store(F, f, {_row("f_row", c)}n, {result}, "span", {c}, {lanes})' for c, result in enumerate(results)]
@@ -187,7 +187,7 @@ def gradient(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     constants = tracing.frontier(wanted, tracing.dependence(wanted, leaves), PARAMETERS)
     loads, given = _given(trace, constants, rows)
     given |= {leaf: f"seed{c}" for c, leaf in enumerate(seed_leaves)}
-    lines, results = statements(target(wanted, _inputs(leaves)), wanted, given)
+    lines, results = statements(_target(wanted, _inputs(leaves)), wanted, given)
     lanes = max(1, len(rows))
     body = [*_loads(trace, lanes, given, rows)]
     body += [f'seed{c} = load(F, f, {_row("f_row", c)}n, "span", {lanes})' for c in range(len(seed_leaves))]
@@ -213,8 +213,8 @@ def functions(scalar: str) -> str:
     return _joined(_header("Elementary functions", scalar), elementary.source(elementary.PRECISIONS[scalar]))
 
 
-def target(outputs: Sequence[Symbol], leaves: Collection[Symbol], scalar: str = "F", suffix: str = "") -> Target:
-    """How to print `outputs`, of which `leaves` may be NaN, in a scalar type, with the elementary functions of a suffix."""
+def _target(outputs: Sequence[Symbol], leaves: Collection[Symbol]) -> Target:
+    """How to print `outputs`, of which `leaves` may be NaN."""
     special = {}
     careful = nan.careful(outputs, leaves)
     for symbol in tracing.live(outputs):
@@ -223,13 +223,12 @@ def target(outputs: Sequence[Symbol], leaves: Collection[Symbol], scalar: str = 
             special[symbol] = _EXTREMA[symbol.op][symbol in careful].format(**order)
         elif symbol.op == "asin" and symbol.args[0].op == "minimum":
             # directions.polar_angle: the smaller of a sine and a cosine is at most sin(pi/4).
-            special[symbol] = f"asin_near{suffix}({{0}})"
-    templates = _TEMPLATES | {name: f"{name}{suffix}({{0}})" for name in ("exp", "expm1", "asin")}
-    return Target(templates, lambda value: _constant(value, scalar), special=special)
+            special[symbol] = "asin_near({0})"
+    return Target(_TEMPLATES, _constant, special=special)
 
 
-def _constant(value: float | bool, scalar: str) -> str:
-    return repr(value) if isinstance(value, bool) else f"{scalar}({value!r})"
+def _constant(value: float | bool) -> str:
+    return repr(value) if isinstance(value, bool) else f"F({value!r})"
 
 
 def _without_division(outputs: Sequence[Symbol], leaves: Mapping[Symbol, int]) -> list[Symbol]:
