@@ -21,7 +21,7 @@ from motes.codegen.normal import NormalEquations
 from motes.tracing import DIRECTIONS, PARAMETERS, Graph, Symbol
 
 LANES = 16  # texels in a block: two vectors of eight floats
-UNROLL = 2  # samples whose terms are added before they go to memory; few where a formula is long
+UNROLL = 4  # samples whose terms are added before they go to memory; few where a formula is long
 LONG = 150
 RUN = 128  # samples that are summed in float32
 #: With more coefficients than this the straight-line algebra grows too long to compile.
