@@ -18,7 +18,7 @@ from golden import appendices
 
 pytest.importorskip("numba")
 
-from motes import engine
+from motes import engine, workers
 from motes.arrays import namespace
 from motes.codegen.numba import TILE
 from motes.directions import Geometry, Vector
@@ -449,8 +449,8 @@ def test_results_do_not_depend_on_the_number_of_threads(monkeypatch: pytest.Monk
     wi, wo = upper_directions(n, 41), upper_directions(n, 42)
     results = []
     for threads in (1, 2, 5):
-        monkeypatch.setattr(engine, "_threads", lambda threads=threads: threads)
-        monkeypatch.setattr(engine, "_pool", None)
+        monkeypatch.setattr(workers, "threads", lambda threads=threads: threads)
+        monkeypatch.setattr(workers, "_pool", None)
         results.append((engine.evaluate(DUSTY, wi, wo), engine.vjp(DUSTY, wi, wo, 1.0)))
     for values, gradients in results[1:]:
         np.testing.assert_array_equal(values, results[0][0])
@@ -484,7 +484,7 @@ def in_child(pipe: Any, wi: NDArray[Any], wo: NDArray[Any]) -> None:
 @pytest.mark.skipif(sys.platform in ("win32", "darwin"), reason="the platform does not fork")
 @pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning", "ignore:.*fork:RuntimeWarning")
 def test_a_forked_process_has_an_engine_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(engine, "_threads", lambda: 2)
+    monkeypatch.setattr(workers, "threads", lambda: 2)
     wi, wo = upper_directions(3 * engine.CHUNK, 45), upper_directions(3 * engine.CHUNK, 46)
     expected = engine.evaluate(DUSTY, wi, wo)  # the parent has its threads now
     context = multiprocessing.get_context("fork")
@@ -502,8 +502,8 @@ def test_a_forked_process_has_an_engine_of_its_own(monkeypatch: pytest.MonkeyPat
 
 def test_an_error_in_a_helper_thread_is_raised(monkeypatch: pytest.MonkeyPatch) -> None:
     job = engine._Job(Lambert(), np.zeros((5 * engine.CHUNK, 3)), np.zeros(3))
-    monkeypatch.setattr(engine, "_threads", lambda: 3)
-    monkeypatch.setattr(engine, "_pool", None)
+    monkeypatch.setattr(workers, "threads", lambda: 3)
+    monkeypatch.setattr(workers, "_pool", None)
     done: list[int] = []
 
     def work(chunk: int, room: int) -> None:

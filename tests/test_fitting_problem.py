@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import motes
+from motes import workers
 from fitting_oracle import LOSSES as ORACLE_LOSSES
 from fitting_oracle import MODELS, Formulas, scattered
 from motes.errors import MotesError
@@ -241,7 +242,8 @@ def test_bits_do_not_depend_on_the_number_of_threads(monkeypatch: pytest.MonkeyP
     built, x = make(n=40_000)
     results = []
     for count in (1, 2, 5):
-        monkeypatch.setattr(problem_module.os, "cpu_count", lambda count=count: count)
+        monkeypatch.setattr(workers, "threads", lambda count=count: count)
+        monkeypatch.setattr(workers, "_pool", None)
         results.append([part.tobytes() for part in built.normal(np.stack([x, 0.9 * x]))])
     assert results[0] == results[1] == results[2]
 

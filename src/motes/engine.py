@@ -26,7 +26,6 @@ import sys
 import tempfile
 import threading
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -34,7 +33,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from motes import tracing
+from motes import tracing, workers
 from motes.codegen import numba as numba_code
 from motes.codegen import numpy as numpy_code
 from motes.errors import DataError, ParameterError
@@ -239,34 +238,9 @@ class _Job:
     def run(self, work: Callable[[int, int], None]) -> None:
         """Call ``work(chunk, room)`` for every chunk, on all cores; `room` is the address of scratch memory."""
         items = (6 + self.channels) * numba_code.TILE
-        spread(self.chunks, lambda chunk, room: work(chunk, address(room)), lambda: np.empty(items, self.scalar))
-
-
-def spread(tasks: int, work: Callable[[int, Array], None], room: Callable[[], Array]) -> None:
-    """Call ``work(task, memory)`` for each of so many tasks, on all cores; ``room()`` makes a thread's own memory."""
-    waiting = iter(range(tasks))
-    lock = threading.Lock()
-
-    def take() -> int | None:
-        with lock:
-            return next(waiting, None)
-
-    def drain() -> None:
-        memory = room()
-        while (task := take()) is not None:
-            work(task, memory)
-
-    others = []
-    if tasks > 1 and _threads() > 1:
-        pool = _helpers()
-        others = [pool.submit(drain) for _ in range(min(_threads(), tasks) - 1)]
-    try:
-        drain()
-    finally:  # interrupted: the others stop after their task, and nobody frees memory that they use
-        while take() is not None:
-            pass
-        for other in others:
-            other.result()
+        workers.spread(
+            self.chunks, lambda chunk, room: work(chunk, address(room)), lambda: np.empty(items, self.scalar)
+        )
 
 
 def _batch(slot: Slot) -> tuple[int, ...]:
@@ -304,36 +278,6 @@ def _place(x: Array) -> tuple[int, int, int]:
     return address(x), x.strides[0] // x.itemsize, x.strides[1] // x.itemsize
 
 
-# ---------------------------------------------------------------- threads
-
-_pool: ThreadPoolExecutor | None = None
-_lock = threading.RLock()
-
-
-def _threads() -> int:
-    import numba
-
-    return int(numba.config.NUMBA_NUM_THREADS)
-
-
-def _helpers() -> ThreadPoolExecutor:
-    global _pool
-    with _lock:
-        if _pool is None:
-            _pool = ThreadPoolExecutor(max(1, _threads() - 1), thread_name_prefix="motes")
-        return _pool
-
-
-def _forked() -> None:
-    """A child has none of its parent's threads, and a lock may have been held by one of them."""
-    global _pool, _lock
-    _pool, _lock = None, threading.RLock()
-
-
-if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=_forked)
-
-
 # ---------------------------------------------------------------- kernels
 
 
@@ -364,6 +308,17 @@ class _Kernel:
 
 
 _kernels: dict[tuple[Any, ...], _Kernel] = {}
+_lock = threading.RLock()
+
+
+def _forked() -> None:
+    """In a child of this process: a thread of the parent, which the child has not, may have held the lock."""
+    global _lock
+    _lock = threading.RLock()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_forked)
 
 
 def _kernel(kind: str, job: _Job) -> _Kernel:

@@ -6,15 +6,14 @@ shared parameters, never from a dense Jacobian."""
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
+from motes import workers
 from motes.codegen.numpy import FitFunction, residual_function
 from motes.fitting.losses import Floats, Loss, Robust
 from motes.models import BRDF
@@ -228,10 +227,15 @@ class Problem:
         if batch * self.channels * len(self.wi) >= CHUNK // 4:  # worth sharing; the same slices on any machine
             step = min(step, -(-len(self.wi) // 4))
         slices = [slice(k, min(k + step, len(self.wi))) for k in range(0, len(self.wi), step)]
-        if len(slices) < 4 or (os.cpu_count() or 1) < 2:
+        if len(slices) < 4:
             return [work(rows) for rows in slices]
-        with ThreadPoolExecutor(os.cpu_count()) as pool:  # NumPy lets go of the interpreter lock
-            return list(pool.map(work, slices))
+        results: list = [None] * len(slices)
+
+        def one(k: int, _: None) -> None:
+            results[k] = work(slices[k])
+
+        workers.spread(len(slices), one, lambda: None)
+        return results
 
     # ------------------------------------------------------------ layout
 

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from motes import engine, tracing
+from motes import engine, tracing, workers
 from motes.codegen import lanes, normal
 from motes.codegen import numpy as numpy_code
 from motes.errors import DataError, MotesError
@@ -476,7 +476,7 @@ class _Compiled:
                 at(states) + 8 * first * states.shape[1], limit, leave, int(close), at(room), at(self.offsets),
             )  # fmt: skip
 
-        engine.spread(-(-len(data) // TASK), work, lambda: np.empty(self.items))
+        workers.spread(-(-len(data) // TASK), work, lambda: np.empty(self.items))
 
 
 def _coefficients(fit: TexelSolver) -> lanes.Coefficients:

@@ -1,0 +1,73 @@
+"""The threads of this process that share work: NumPy and compiled kernels let go of the interpreter's lock.
+
+``NUMBA_NUM_THREADS`` limits them, as it does Numba's own; otherwise there is one for each processor that the process may use.
+"""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from typing import TypeVar
+
+T = TypeVar("T")
+
+_pool: ThreadPoolExecutor | None = None
+_lock = threading.RLock()
+
+
+def threads() -> int:
+    """How many threads work at once."""
+    given = os.environ.get("NUMBA_NUM_THREADS", "")
+    if given.isdigit() and int(given) > 0:
+        return int(given)
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def spread(tasks: int, work: Callable[[int, T], None], room: Callable[[], T]) -> None:
+    """Call ``work(task, memory)`` for each of so many tasks, in turn on all threads; ``room()`` makes a thread's own memory.
+
+    An error in a task ends the work and is raised, once no thread is at work any more.
+    """
+    waiting = iter(range(tasks))
+    lock = threading.Lock()
+
+    def take() -> int | None:
+        with lock:
+            return next(waiting, None)
+
+    def drain() -> None:
+        memory = room()
+        while (task := take()) is not None:
+            work(task, memory)
+
+    others = []
+    if tasks > 1 and threads() > 1:
+        pool = _helpers()
+        others = [pool.submit(drain) for _ in range(min(threads(), tasks) - 1)]
+    try:
+        drain()
+    finally:  # interrupted: the others stop after their task, and nobody frees memory that they use
+        while take() is not None:
+            pass
+        for other in others:
+            other.result()
+
+
+def _helpers() -> ThreadPoolExecutor:
+    global _pool
+    with _lock:
+        if _pool is None:
+            _pool = ThreadPoolExecutor(max(1, threads() - 1), thread_name_prefix="motes")
+        return _pool
+
+
+def _forked() -> None:
+    """A child has none of its parent's threads, and a lock may have been held by one of them."""
+    global _pool, _lock
+    _pool, _lock = None, threading.RLock()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_forked)
