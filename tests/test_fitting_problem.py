@@ -10,9 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import motes
-from motes import workers
 from fitting_oracle import LOSSES as ORACLE_LOSSES
 from fitting_oracle import MODELS, Formulas, scattered
+from motes import workers
 from motes.errors import MotesError
 from motes.fitting import problem as problem_module
 from motes.fitting.losses import LOSSES, ROBUST, SMALLEST, loss_named, robust_named

@@ -1,0 +1,78 @@
+"""HLSL: functions and a constant buffer."""
+
+from __future__ import annotations
+
+from motes.codegen.hlsl import LANGUAGE
+from motes.codegen.language import comment
+from motes.exports.shaders import (
+    Prepared,
+    Shader,
+    about,
+    checked_name,
+    heading,
+    packed,
+    prefix_of,
+    prepare,
+    uniforms_of,
+)
+from motes.models import BRDF
+
+
+def shader(
+    model: BRDF, name: str = "motes_eval", *, title: str = "", register: int = 0, notes: tuple[str, ...] = ()
+) -> Shader:
+    """A model as HLSL.
+
+    Parameters
+    ----------
+    model, name, title, notes
+        As for `motes.exports.glsl.shader`.
+    register
+        Of the constant buffer.
+
+    Returns
+    -------
+    Shader
+        Defines ``float3 name(float3 wi, float3 wo)`` and ``name_with``, whose further arguments are the parameters.  With other than one or
+        three channels they are ``void`` and fill an array ``out float f[N]``.
+    """
+    name, prepared = checked_name(name), prepare(model)
+    prefix = prefix_of(name)
+    uniforms = uniforms_of(prepared, f"{prefix}_")
+    lines = [*heading(prepared, title, LANGUAGE.title, notes), ""]
+    lines += [f"cbuffer {prefix}_parameters : register(b{register}) {{"]
+    offsets, size = _offsets(prepared)
+    for uniform, slot, offset in zip(uniforms, prepared.slots, offsets, strict=True):
+        many = slot.name in prepared.split
+        type_, many_of = ("float", f"[{prepared.channels}]") if prepared.arrays else ("float3", "")
+        lines.append(
+            f"    {type_ if many else 'float'} {uniform.name}{many_of if many else ''};  // at byte {offset}: {about(slot, uniform.value)}"
+        )
+    lines += ["};", *comment(f"The buffer has {size} bytes; entries of an array are 16 bytes apart."), ""]
+    lines += [*prepared.definition(LANGUAGE, f"{name}_with", prefix), ""]
+    passed = "".join(f", {uniform.name}" for uniform in uniforms)
+    if prepared.arrays:
+        lines += [f"void {name}(float3 wi, float3 wo, out float f[{prepared.channels}]) {{"]
+        lines += [f"    {name}_with(wi, wo{passed}, f);", "}"]
+    else:
+        lines += [f"float3 {name}(float3 wi, float3 wo) {{", f"    return {name}_with(wi, wo{passed});", "}"]
+    return Shader("\n".join(lines) + "\n", uniforms, name, LANGUAGE.title, prepared.channels)
+
+
+def pack(model: BRDF) -> bytes:
+    """The content of the constant buffer of `shader`."""
+    prepared = prepare(model)
+    return packed(prepared, *_offsets(prepared), stride=16)
+
+
+def _offsets(prepared: Prepared) -> tuple[list[int], int]:
+    """Where each parameter lies, and the size of the whole [bytes]: nothing crosses a multiple of 16, and arrays begin at one."""
+    offsets, end = [], 0
+    for slot in prepared.slots:
+        many = slot.name in prepared.split
+        size = 4 if not many else 16 * (prepared.channels - 1) + 4 if prepared.arrays else 12
+        if end // 16 != (end + size - 1) // 16 or (many and prepared.arrays):
+            end = -(-end // 16) * 16
+        offsets.append(end)
+        end += size
+    return offsets, -(-end // 16) * 16

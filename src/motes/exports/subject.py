@@ -1,0 +1,129 @@
+"""What is exported: one BRDF with its name, its channels, and the sentences that a file must say about it."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from motes.errors import DataError, ParameterError
+from motes.material import Material
+from motes.models import BRDF, describe
+
+LONGEST_NAME = 48
+
+
+@dataclass(frozen=True)
+class Subject:
+    """A BRDF to export.
+
+    Attributes
+    ----------
+    name
+        Of the material, for people.
+    brdf
+        At the moment that is exported.
+    channels, wavelengths
+        Names, and wavelengths [nm] where they are spectral.
+    notes
+        What a file must say besides its formula: the moment of a material that changes.
+    material, hours
+        The whole of it, and the moment; None where it does not change.
+    """
+
+    name: str
+    brdf: BRDF
+    channels: tuple[str, ...]
+    wavelengths: tuple[float, ...]
+    notes: tuple[str, ...]
+    material: Material
+    hours: float | None = None
+
+    @property
+    def identifier(self) -> str:
+        """The name as one that all languages accept: lower-case letters, digits and single underscores."""
+        plain = unicodedata.normalize("NFKD", self.name).encode("ascii", "ignore").decode()
+        words = re.sub(r"[^a-z0-9]+", "_", plain.lower()).strip("_")[:LONGEST_NAME].strip("_")
+        return words if words[:1].isalpha() else f"material_{words}".strip("_")
+
+    @property
+    def title(self) -> str:
+        """The name with the model, for the head of a file."""
+        return f"{self.name}: {describe(self.brdf)}"
+
+    def colored(self, target: str) -> None:
+        """Check that a format whose colours have three components can hold it.
+
+        Raises
+        ------
+        DataError
+            When it has other than one or three channels.
+        """
+        if self.brdf.channels not in (1, 3):
+            raise DataError(
+                f"{self.name} has {self.brdf.channels} channels, and {target} holds one or three",
+                "glsl, wgsl, hlsl, osl, c and csv take any number",
+            )
+
+
+def subject(material: Any, hours: float | None = None) -> Subject:
+    """A material, at a moment, or a BRDF as it is.
+
+    Parameters
+    ----------
+    material
+        A `Material` or a BRDF.
+    hours
+        The moment [h] of a material that follows time; its first one when not given.
+
+    Raises
+    ------
+    ParameterError
+        When `material` is neither, or a moment is given for one that does not change.
+    """
+    if isinstance(material, BRDF):
+        material = Material(material, channels=default_channels(material.channels))
+    if not isinstance(material, Material):
+        raise ParameterError(
+            f"a {type(material).__name__} is neither a material nor a BRDF", "motes.load reads a material from its file"
+        )
+    interval = material.interval
+    if interval is None:
+        if hours is not None:
+            raise ParameterError(
+                f"{material.name} does not change, so {hours:g} h means nothing", "Leave the hours out"
+            )
+        return Subject(material.name, material.brdf, _channels(material), material.wavelengths, (), material)
+    moment = interval[0] if hours is None else hours
+    notes = [f"The material follows time ({interval[0]:g} to {interval[1]:g} h); this is how it is at {moment:g} h."]
+    if not interval[0] <= moment <= interval[1]:
+        notes.append(f"{moment:g} h is outside the times that were observed.")
+    if hours is None:
+        notes.append("No time was asked for, so the first was taken.")
+    return Subject(
+        material.name,
+        material.at(moment),
+        _channels(material),
+        material.wavelengths,
+        tuple(notes),
+        material,
+        float(moment),
+    )
+
+
+def default_channels(count: int) -> tuple[str, ...]:
+    """Names for channels that have none."""
+    return {1: ("grey",), 3: ("R", "G", "B")}.get(count) or tuple(f"channel {k}" for k in range(1, count + 1))
+
+
+def _channels(material: Material) -> tuple[str, ...]:
+    count = material.brdf.channels
+    return material.channels if len(material.channels) == count else default_channels(count)
+
+
+def as_rgb(values: Any) -> np.ndarray:
+    """Values (..., 1) or (..., 3) with three channels."""
+    return np.broadcast_to(values, (*np.shape(values)[:-1], 3))

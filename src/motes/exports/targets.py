@@ -1,0 +1,186 @@
+"""The targets of an export by name, and `export`, which writes one."""
+
+from __future__ import annotations
+
+import importlib
+import os
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from motes.errors import ParameterError
+from motes.exports.subject import Subject, subject
+from motes.files import write_text
+
+#: Moments of a table of a material that follows time, where none are asked for.
+MOMENTS = 11
+MOST_MOMENTS = 1000
+
+
+@dataclass(frozen=True)
+class Target:
+    """Something to export to.
+
+    Attributes
+    ----------
+    title
+        For people.
+    suffix
+        Of the file.
+    module
+        Under `motes.exports`.
+    options
+        What `export` accepts besides.
+    over_time
+        Whether one file holds a material at several moments.
+    """
+
+    title: str
+    suffix: str
+    module: str
+    options: tuple[str, ...] = ()
+    over_time: bool = False
+
+
+TARGETS: dict[str, Target] = {
+    "glsl": Target("GLSL ES 3.00 or 4.5: functions and uniforms", ".glsl", "glsl", ("version",)),
+    "wgsl": Target("WGSL: functions and a buffer of parameters", ".wgsl", "wgsl"),
+    "hlsl": Target("HLSL: functions and a constant buffer", ".hlsl", "hlsl"),
+    "osl": Target("OSL: a shader with the value and the nearest closures", ".osl", "osl"),
+    "c": Target("C99, C++ and CUDA: a header", ".h", "c", ("scalar",)),
+    "materialx": Target("MaterialX 1.39: a document with nodes of its own and standard ones", ".mtlx", "materialx"),
+    "mitsuba": Target("Mitsuba 3: a scene's BSDFs in XML", ".xml", "mitsuba"),
+    "three": Target("three.js: a module with a ShaderMaterial", ".js", "three"),
+    "merl": Target("MERL: a table of half and difference angles", ".binary", "merl"),
+    "csv": Target("CSV: a table of angles, times and channels", ".csv", "csv", over_time=True),
+}
+SHADERS = ("glsl", "wgsl", "hlsl", "osl", "c")
+
+
+class Exported(NamedTuple):
+    """What `export` wrote.
+
+    Attributes
+    ----------
+    files
+        The first is the one that was asked for; the others lie beside it.
+    notes
+        What the target cannot express, and what was chosen: sentences that the files say, too.
+    """
+
+    files: tuple[Path, ...]
+    notes: tuple[str, ...]
+
+
+def export(
+    material: Any,
+    to: str,
+    path: str | os.PathLike[str] | None = None,
+    *,
+    hours: float | Sequence[float] | None = None,
+    **options: str,
+) -> Exported:
+    """Write a material for another program.
+
+    Parameters
+    ----------
+    material
+        A `Material` or a BRDF.
+    to
+        A key of `TARGETS`: ``"glsl"``, ``"materialx"``, ``"merl"`` ...
+    path
+        The file to write; a name made of the material's, in the current folder, when not given.
+    hours
+        The moment [h] of a material that follows time, its first one by default.  A table (``"csv"``) takes several; by default it has
+        eleven over the time that was observed.
+    **options
+        ``version`` of GLSL (``"300 es"``, ``"450"``), ``scalar`` of C (``"double"``, ``"float"``).
+
+    Raises
+    ------
+    ParameterError
+        When there is no such target, option or moment, or the model cannot be expressed.
+    DataError
+        When the target does not hold as many channels.
+    MotesError
+        When the file cannot be written.
+
+    Examples
+    --------
+    >>> import motes, tempfile
+    >>> folder = tempfile.mkdtemp()
+    >>> done = export(motes.Lambert(K_d=(0.8, 0.5, 0.2)), "glsl", f"{folder}/clay.glsl")
+    >>> "vec3 motes_eval(vec3 wi, vec3 wo)" in done.files[0].read_text()
+    True
+    """
+    if to not in TARGETS:
+        raise ParameterError(f"{to!r} is nothing that Motes exports to", f"It exports to {', '.join(TARGETS)}")
+    target = TARGETS[to]
+    unknown = [name for name in options if name not in target.options]
+    if unknown:
+        raise ParameterError(
+            f"{to} has no option {unknown[0]!r}",
+            f"It has {', '.join(target.options)}" if target.options else "It has none",
+        )
+    moments = _moments(material, target, hours)
+    first = moments[0][1]
+    file = Path(path) if path is not None else Path(f"{first.identifier}{target.suffix}")
+    if file.is_dir():
+        raise ParameterError(f"{file} is a folder", f"Name a file, such as {file / (first.identifier + target.suffix)}")
+    module = importlib.import_module(f"motes.exports.{target.module}")
+    said = list(first.notes) if len(moments) == 1 else []
+    if to in SHADERS:
+        said += shader_limits(to, first)
+        files = [_write_shader(module, to, first, file, options)]
+    elif target.over_time:
+        said += module.limits(first)
+        files = module.write(moments, file)
+    else:
+        said += module.limits(first)
+        files = module.write(first, file)
+    return Exported(tuple(files), tuple(said))
+
+
+def _moments(
+    material: Any, target: Target, hours: float | Sequence[float] | None
+) -> list[tuple[float | None, Subject]]:
+    """The moments to export, with the material then."""
+    asked = None if hours is None else [float(x) for x in np.atleast_1d(np.asarray(hours, float))]
+    interval = getattr(material, "interval", None)
+    if target.over_time and interval is not None and asked is None:
+        asked = np.linspace(interval[0], interval[1], MOMENTS).tolist()
+    if asked is None:
+        return [(None, subject(material))]
+    if not 1 <= len(asked) <= (MOST_MOMENTS if target.over_time else 1):
+        at_most = f"1 to {MOST_MOMENTS}" if target.over_time else "one"
+        raise ParameterError(
+            f"{len(asked)} moments, and {target.title.partition(':')[0]} holds {at_most}", "Give others"
+        )
+    if sorted(set(asked)) != asked:
+        raise ParameterError(f"the moments {', '.join(f'{x:g}' for x in asked)} h do not increase", "Give each once")
+    return [(moment, subject(material, moment)) for moment in asked]
+
+
+def _write_shader(module: Any, to: str, what: Subject, file: Path, options: dict[str, str]) -> Path:
+    more: dict[str, Any] = dict(options)
+    if to == "osl":
+        more["shader_name"] = f"motes_{what.identifier}"
+    make: Callable[..., Any] = module.shader
+    return write_text(file, make(what.brdf, title=what.name, notes=what.notes, **more).source)
+
+
+def shader_limits(to: str, what: Subject) -> list[str]:
+    """What a shading language cannot say."""
+    from motes.exports.approximation import losses
+
+    if to != "osl":
+        return []
+    if what.brdf.channels not in (1, 3):
+        return ["Without one or three channels there is no closure, only the value."]
+    return [
+        "Reflectance is the BRDF for a given light; BSDF, for rendering, is the nearest sum of closures:",
+        *losses(what.brdf),
+    ]

@@ -1,0 +1,172 @@
+"""The three.js material in a browser: what it draws under lights against the BRDF; skipped, by name, without chromium or three."""
+
+from __future__ import annotations
+
+import html
+import json
+import os
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from motes import Material
+from motes.directions import from_spherical
+from motes.errors import DataError
+from motes.exports import export, three
+from motes.exports.subject import subject
+from motes.models import BRDF
+from shader_support import MODELS, SPECTRAL
+
+ROOT = Path(__file__).resolve().parents[1]
+VIEWS = [(0.0, 0.0), (0.5, 0.3), (1.0, 2.0), (1.4, -1.0)]
+LIGHTS = [(0.2, 1.0), (0.8, 0.3 + np.pi), (1.3, 2.1), (1.0, 5.0)]
+
+
+def browser() -> str:
+    for name in ("chromium", "chromium-browser", "google-chrome"):
+        if path := shutil.which(name):
+            return path
+    pytest.skip("chromium is not installed")
+
+
+def library() -> Path:
+    """The folder of the package three: ``$MOTES_THREE``, or one that the viewer's build installed."""
+    places = [os.environ.get("MOTES_THREE", "")]
+    places += [str(p.parents[1]) for p in ROOT.glob("*/node_modules/three/build/three.module.js")]
+    places += [str(p.parents[1]) for p in ROOT.glob("src/motes/viewer/**/node_modules/three/build/three.module.js")]
+    for place in places:
+        if place and (Path(place) / "build" / "three.module.js").exists():
+            return Path(place)
+    pytest.skip("the npm package three is not installed (set MOTES_THREE to its folder)")
+
+
+PAGE = """<!doctype html><meta charset="utf-8"><title>test</title><pre id="result">nothing</pre>
+<script type="importmap">{"imports": {"three": "./three/build/three.module.js"}}</script>
+<script type="module">
+import * as THREE from 'three';
+import { createMaterial, setParameter, parameters, albedo } from './material.js';
+const out = document.getElementById('result');
+try {
+  const { views, lights, changes } = JSON.parse(document.getElementById('job').textContent);
+  const renderer = new THREE.WebGLRenderer();
+  const errors = [];
+  renderer.debug.onShaderError = (gl, program, vertex, fragment) => errors.push(gl.getShaderInfoLog(fragment) || gl.getShaderInfoLog(vertex));
+  const target = new THREE.WebGLRenderTarget(3, 3, { type: THREE.FloatType });
+  const material = createMaterial(THREE, changes);
+  const mesh = new THREE.Mesh(new THREE.PlaneGeometry(2, 2), material);
+  const pixel = new Float32Array(4 * 9);
+  const draw = (light, view) => {
+    const scene = new THREE.Scene();
+    scene.add(mesh, ...light);
+    const camera = new THREE.PerspectiveCamera(0.01, 1, 0.1, 100);
+    camera.position.set(...view).multiplyScalar(5);
+    camera.up.set(0.3, 0.5, 0.81);
+    camera.lookAt(0, 0, 0);
+    renderer.setRenderTarget(target);
+    renderer.render(scene, camera);
+    renderer.readRenderTargetPixels(target, 0, 0, 3, 3, pixel);
+    return [...pixel.slice(16, 19)];
+  };
+  const far = [], near = [], spot = [];
+  for (const view of views) for (const direction of lights) {
+    const sun = new THREE.DirectionalLight(0xffffff, 2);
+    sun.position.set(...direction);
+    far.push(draw([sun], view));
+    const lamp = new THREE.PointLight(0xffffff, 2, 0, 2);
+    lamp.position.set(...direction).multiplyScalar(3);
+    near.push(draw([lamp], view));
+    const cone = new THREE.SpotLight(0xffffff, 2, 0, 0.2, 0, 2);
+    cone.position.set(...direction).multiplyScalar(3);
+    spot.push(draw([cone, cone.target], view));
+  }
+  const ambient = draw([new THREE.AmbientLight(0xffffff, 2)], views[0]);
+  const refused = [];
+  for (const attempt of [() => setParameter(material, 'K_x', 1), () => setParameter(material, parameters[0].name, -1), () => createMaterial(THREE, { K_x: 1 })])
+    try { attempt(); refused.push('nothing'); } catch (error) { refused.push(error.message); }
+  setParameter(material, parameters[0].name, 0.25);
+  out.textContent = JSON.stringify({ far, near, spot, ambient, albedo, refused, errors, first: material.uniforms[parameters[0].uniform].value });
+} catch (error) { out.textContent = JSON.stringify({ errors: [String(error.stack ?? error)] }); }
+</script>"""
+
+
+def drawn(text: str, folder: Path, changes: dict[str, object]) -> dict[str, list]:
+    """What the page found."""
+    (folder / "material.js").write_text(text, encoding="utf-8")
+    os.symlink(library(), folder / "three")
+    job = {
+        "views": [from_spherical(*view).tolist() for view in VIEWS],
+        "lights": [from_spherical(*light).tolist() for light in LIGHTS],
+        "changes": changes,
+    }
+    page = PAGE.replace(
+        '<script type="importmap">',
+        f'<script id="job" type="application/json">{json.dumps(job)}</script>\n<script type="importmap">',
+    )
+    (folder / "page.html").write_text(page, encoding="utf-8")
+    command = [browser(), "--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+    command += [
+        "--allow-file-access-from-files",
+        f"--user-data-dir={folder / 'profile'}",
+        "--virtual-time-budget=20000",
+    ]
+    command += ["--dump-dom", (folder / "page.html").as_uri()]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+    match = re.search(r'<pre id="result">(.*?)</pre>', done.stdout, re.DOTALL)
+    assert match, done.stderr[-2000:]
+    return json.loads(html.unescape(match[1]))
+
+
+def lit(model: BRDF) -> np.ndarray:
+    """BRDF x cosine for the views and lights of the page."""
+    wi = from_spherical(*np.transpose(LIGHTS))
+    wo = from_spherical(*np.transpose(VIEWS))
+    values = model.eval(wi[None], wo[:, None]) * wi[None, :, 2:]
+    return np.broadcast_to(values, (len(VIEWS), len(LIGHTS), 3)).reshape(-1, 3)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["dusty", "grey"])
+def test_lights_of_a_scene(name: str, tmp_path: Path) -> None:
+    model = MODELS[name]
+    changes = {"K_d": (0.9, 0.5, 0.2), "sigma_d": 0.7} if name == "dusty" else {"K_d": 0.3}
+    found = drawn(three.module(subject(model)), tmp_path, changes)
+    assert not found["errors"]
+    wanted = lit(model.with_parameters(changes))
+    np.testing.assert_allclose(found["far"], 2 * wanted, rtol=2e-4, atol=2e-5)
+    np.testing.assert_allclose(found["near"], 2 / 9 * wanted, rtol=2e-4, atol=2e-5)  # three metres away
+    np.testing.assert_allclose(found["spot"], 2 / 9 * wanted, rtol=2e-4, atol=2e-5)
+    albedo = np.broadcast_to(model.spherical_albedo(), 3)
+    np.testing.assert_allclose(found["ambient"], 2 * albedo / np.pi, rtol=1e-5)
+    assert "no parameter K_x" in found["refused"][0]
+    assert "K_d = -1 is outside 0 to Infinity" in found["refused"][1]
+    assert "no parameter K_x" in found["refused"][2]
+    assert found["first"] == ([0.25] * 3 if name == "dusty" else 0.25)
+
+
+def test_a_name_cannot_leave_its_string(tmp_path: Path) -> None:
+    name = "</script><script>alert(1)</script>`${alert(1)}\\` \N{LINE SEPARATOR}"
+    text = three.module(subject(Material(MODELS["lambert"], name=name, channels=("R", "G", "B"))))
+    assert "</script" not in text
+    assert "\N{LINE SEPARATOR}" not in text
+    node = shutil.which("node")
+    if node is None:
+        pytest.skip("node is not installed")
+    (tmp_path / "material.mjs").write_text(text, encoding="utf-8")
+    (tmp_path / "run.mjs").write_text(
+        "import { name, formula, parameters } from './material.mjs';\nprocess.stdout.write(JSON.stringify([name, formula, parameters]));\n"
+    )
+    done = subprocess.run([node, tmp_path / "run.mjs"], capture_output=True, text=True, timeout=60, check=True)
+    said, formula, parameters = json.loads(done.stdout)
+    assert said.startswith("< /script><script>alert(1)< /script>`${alert(1)}/`")
+    assert "vec3 motes_eval(vec3 wi, vec3 wo)" in formula
+    assert parameters[0]["value"] == [0.8, 0.5, 0.2]
+    assert parameters[0]["meaning"] == "diffuse reflectance"
+
+
+def test_channels_that_are_no_colour_are_refused(tmp_path: Path) -> None:
+    with pytest.raises(DataError, match=r"7 channels, and a three\.js material holds one or three"):
+        export(SPECTRAL, "three", tmp_path / "x.js")
