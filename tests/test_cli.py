@@ -718,9 +718,13 @@ def test_every_command_and_option_is_documented() -> None:
         == {
             "age",
             "demo",
+            "dust",
+            "export",
             "fit",
             "info",
+            "render",
             "simulate",
+            "stack",
         }
     )
     for name, options in known.items():

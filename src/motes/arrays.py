@@ -10,6 +10,7 @@ There is no ``acos``: see `motes.directions.polar_angle` for why angles are take
 
 from __future__ import annotations
 
+import math
 from types import SimpleNamespace
 from typing import Any
 
@@ -110,26 +111,51 @@ def _jax() -> SimpleNamespace:
     )
 
 
+class Columns(tuple[Array, ...]):
+    """Components that are asked for like those of an array (..., n), ``w[..., 0]``: Dr.Jit keeps each in a variable."""
+
+    __slots__ = ()
+
+    def __getitem__(self, key: Any) -> Array:
+        return super().__getitem__(key[-1] if isinstance(key, tuple) else key)
+
+
 def _drjit() -> SimpleNamespace:
     import drjit as dr
 
+    def root(x: Array) -> Array:
+        """See `_torch`; the value is that of sqrt itself, and without a gradient so is the cost."""
+        if not dr.grad_enabled(x):
+            return dr.sqrt(x)
+        return dr.replace_grad(dr.sqrt(x), dr.sqrt(dr.maximum(x, 1e-30)))
+
     def expm1(x: Array) -> Array:
-        """Dr.Jit has no expm1, but a tanh that is accurate near 0: within 2 ulp for x <= 0, which is all that a layer needs."""
-        t = dr.tanh(0.5 * x)
-        return 2 * t / (1 - t)
+        """Dr.Jit has no expm1: near 0 a series, beyond exp(x) - 1, whose exp a layer needs anyway. Within 4 ulp."""
+        if isinstance(x, float):
+            return math.expm1(x)
+        last = 8 if dr.itemsize_v(x) == 4 else 14  # the next term is below an ulp at |x| = 0.35
+        series = 0 * x + 1 / math.factorial(last)
+        for k in range(last - 1, 0, -1):
+            series = dr.fma(series, x, 1 / math.factorial(k))
+        near = abs(x) < 0.35
+        return dr.select(near, series * x, dr.exp(x) - 1)
 
     return SimpleNamespace(
         name="drjit",
-        sqrt=dr.sqrt,
+        sqrt=root,
         exp=dr.exp,
         expm1=expm1,
         asin=dr.asin,
-        minimum=dr.minimum,
-        maximum=dr.maximum,
+        # As quick as dr.minimum and dr.maximum, and of equal numbers the first is taken and gets the gradient:
+        # maximum(f, 0) of a black surface has one.
+        minimum=lambda a, b: dr.select(a > b, b, a),
+        maximum=lambda a, b: dr.select(a < b, b, a),
         where=dr.select,
-        sin=dr.sin,
-        cos=dr.cos,
+        # Where both are asked for, Dr.Jit computes once what they share.
+        sin=lambda x: dr.sincos(x)[0],
+        cos=lambda x: dr.sincos(x)[1],
         log=dr.log,
+        stack=Columns,
     )
 
 

@@ -29,9 +29,14 @@ def make_app() -> App:
     from motes import __version__
     from motes._cli.age import age
     from motes._cli.demo import demo
+    from motes._cli.dust import dust
+    from motes._cli.export import export
     from motes._cli.fit import fit
     from motes._cli.info import info
+    from motes._cli.render import render
     from motes._cli.simulate import simulate
+    from motes._cli.stack import stack
+    from motes._cli.view import view
 
     app = cyclopts.App(
         name="motes",
@@ -41,7 +46,7 @@ def make_app() -> App:
         default_parameter=cyclopts.Parameter(show_default=_default),
         suppress_keyboard_interrupt=False,  # `main` answers it
     )
-    for command in (fit, info, age, simulate, demo):
+    for command in (fit, stack, info, age, simulate, render, dust, view, export, demo):
         app.command(command, help=_description(command))
     return app
 

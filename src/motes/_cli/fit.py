@@ -34,6 +34,11 @@ def fit(
     max_theta_deg: float | None = None,
     output: Annotated[str | None, Parameter(name=["--output", "-o"])] = None,
     report: Annotated[bool, Parameter(name="--report")] = True,
+    workers: MaybeWhole = None,
+    scheduler: str | None = None,
+    block: MaybeWhole = None,
+    exr: str | None = None,
+    restart: Annotated[bool, Parameter(negative="")] = False,
     reading: Reading = Reading(),  # noqa: B008 (an immutable value)
     common: Common = Common(),  # noqa: B008
 ) -> int:
@@ -43,9 +48,12 @@ def fit(
 
     Writes material.json, fit.json, parameters.csv and report.html, all of them or none.
 
-    Exit status: 0 when the fit converged; 1 when it stopped before that, with the results written and marked so; 2 for
-    bad input or usage; 3 for a defect of motes. A parameter that the data do not determine is named in the table and in
-    fit.json, and does not change the status.
+    A Zarr store of reflectance at every texel of a surface gives maps of parameters as another Zarr store, and a page of
+    pictures beside it; every time is fitted alone unless --trend is given. The same command goes on after an interrupt.
+
+    Exit status: 0 when the fit converged; 1 when it stopped before that, with the results written and marked so, or when
+    a part of a map could not be read; 2 for bad input or usage; 3 for a defect of motes. A parameter that the data do not
+    determine is named in the table and in fit.json, and does not change the status.
 
     Parameters
     ----------
@@ -74,7 +82,17 @@ def fit(
     output
         The folder of the results; motes-NAME when not given.
     report
-        Write report.html.
+        Write report.html; of a map the page of pictures.
+    workers
+        Of a map: fit on so many processes of one thread each.
+    scheduler
+        Of a map: fit on the workers of a Dask scheduler, such as tcp://127.0.0.1:8786.
+    block
+        Of a map: texels along a side of what is fitted and saved at a time; whole chunks of the store when not given.
+    exr
+        Of a map: a folder for polynomials of time as OpenEXR pictures (STAF layout).
+    restart
+        Of a map: throw away what an earlier run left in the output.
     """
     import math
 
@@ -96,6 +114,35 @@ def fit(
         raise MotesError(
             f"--max-theta-deg {max_theta_deg:g} is outside (0, 90] degrees", "80 leaves out grazing angles"
         )
+    from motes._cli import fit_map as of_map
+
+    if of_map.is_map(data):
+        refused = {
+            "--robust": robust != "none",
+            "--time": time is not None,
+            "--sample": reading.sample is not None,
+            "--read": bool(reading.read),
+        }
+        return of_map.fit_map(
+            data,
+            refused=[option for option, given in refused.items() if given],
+            output=output,
+            report=report,
+            exr=exr,
+            common=common,
+            model=model,
+            loss=loss,
+            weights=weights,
+            fixed=held,
+            per_channel=per_channel,
+            trends=kinds or None,
+            max_theta=None if max_theta_deg is None else math.radians(max_theta_deg),
+            workers=workers,
+            scheduler=scheduler,
+            block=None if block is None else (block, block),
+            restart=restart,
+        )
+    of_map.only_for_maps(workers=workers, scheduler=scheduler, block=block, exr=exr, restart=restart or None)
     measurement = load_measurement(data, reading, common)
     folder = Path(output) if output is not None else Path(f"motes-{slug(measurement.name)}")
     options: dict[str, Any] = {

@@ -19,7 +19,7 @@ def info(
     reading: Reading = Reading(),  # noqa: B008 (an immutable value)
     common: Common = Common(),  # noqa: B008
 ) -> int:
-    """Say what a file holds: measurements, parameter maps or a material.
+    """Say what a file holds: measurements, a reflectance map, parameter maps or a material.
 
     Format and source, sizes, angles, channels, times, what is masked and why; the samples of a container; the model and
     parameters of a material.
@@ -27,13 +27,17 @@ def info(
     Parameters
     ----------
     data
-        A file or folder: measurements, a material.json, or the folder that motes fit wrote.
+        A file or folder: measurements, a material.json, the folder that motes fit wrote, or a map (Zarr).
     """
     from motes._cli import console
     from motes._cli.paths import existing, material_at
     from motes.measurements import list_samples, read
 
     path = existing(data)
+    from motes._cli import fit_map
+
+    if fit_map.is_map(data):
+        return fit_map.info(data, common)
     if file := material_at(path):
         from motes.material import load
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Parameter
 
-from motes._cli.options import Common, Whole
+from motes._cli.options import Common, MaybeWhole, Whole
 
 if TYPE_CHECKING:
     from motes.ageing.rig import Surface
@@ -26,6 +26,7 @@ def simulate(
     seed: Whole = 0,
     step_deg: float = 0.5,
     irradiance: float = 1.0,
+    size: MaybeWhole = None,
     common: Common = Common(),  # noqa: B008 (an immutable value)
 ) -> int:
     """Measure a material with a simulated rig of four cameras and a lamp on an arm.
@@ -33,6 +34,9 @@ def simulate(
     Writes the folder format of the TVBRDF database (radiance at three exposures merged into one, blue first). With
     --phenomenon something happens to the surface between the first scan and the last. Without --material, --model and
     --phenomenon the surface is a dusty plaster that dries.
+
+    A folder whose name ends in .zarr is a reflectance map instead: a painted surface that dries, other parameters at every
+    texel, with the truth beside the values.
 
     Parameters
     ----------
@@ -60,12 +64,22 @@ def simulate(
         Between two positions of the lamp, in degrees.
     irradiance
         Of the lamp.
+    size
+        Of a map: rows and columns of texels, 64 when not given.
     """
     from motes._cli import console
     from motes._cli.options import numbers
     from motes.ageing import Rig
     from motes.ageing import simulate as measure
+    from motes.errors import MotesError
 
+    if folder.rstrip("/").endswith(".zarr"):
+        from motes._cli.fit_map import simulate_map
+
+        given = {"--material": material, "--model": model, "--phenomenon": phenomenon, "--set": set or None}
+        return simulate_map(folder, size, scans, hours, noise, seed, [o for o, v in given.items() if v], common)
+    if size is not None:
+        raise MotesError("--size is for maps", "Give a folder whose name ends in .zarr")
     surface, name, process = _surface(material, model, phenomenon, numbers(set, "--set"), hours)
     rig = Rig(step_deg=step_deg, irradiance=irradiance)
     with console.progress(common, "simulating") as step:

@@ -1,0 +1,176 @@
+"""`export_exr`: fitted maps as polynomials of time in OpenEXR pictures, in the layout of the STAF data.
+
+``Diffuse-d.exr``, ``Specular-d.exr`` and ``Roughness-d.exr`` hold the coefficient of t^d at each texel, with t from 0 at the first time to 1 at the
+last: Diffuse is K_d, Roughness is sigma_s, and Specular the weight S of the highlight, K_s = S / (pi R^2 (1 - exp(-1/R^2))), as `motes.read`
+takes them back.  Parameters that the layout does not know (sigma_d, say) go into pictures of their own names, which its readers pass over.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from motes import equations
+from motes.arrays import NUMPY
+from motes.errors import MissingExtraError, MotesError
+from motes.files import replacing
+from motes.maps.fitted import FittedMap
+from motes.models import BRDF, Lambert, OrenNayar, TorranceSparrow
+from motes.models.dust import DustLayer
+from motes.models.sums import Sum
+
+Floats = NDArray[np.float64]
+
+MOST_DEGREE = 3
+
+
+def export_exr(
+    fitted: FittedMap,
+    folder: str | os.PathLike[str],
+    *,
+    progress: Callable[[int, int, str], None] | None = None,
+) -> list[Path]:
+    """Write the maps of a fit as EXR pictures in the STAF layout, which `motes.read` reads.
+
+    Parameters
+    ----------
+    fitted
+        From `motes.maps.fit_map`.
+    folder
+        Made where it does not exist.
+    progress
+        Called with (done, total, what).
+
+    Returns
+    -------
+    list of Path
+        The pictures, float32.  Polynomials are of degree 3, or less where there are fewer than 4 times; exact at 4 times or fewer, least squares
+        beyond.  A texel without a fit at some times is taken from the others; one without any is 0, which is no highlight.
+
+    Raises
+    ------
+    MotesError
+        For models that the layout cannot hold: under dust, with a Fresnel term, several lobes of a kind, coloured lobes' widths.
+
+    Notes
+    -----
+    One map with its coefficients is held at a time: 48 bytes a texel for a coloured cubic.
+    """
+    try:
+        import OpenEXR  # noqa: F401
+    except ImportError:
+        raise MissingExtraError("OpenEXR", "exr", "The export as pictures") from None
+    diffuse, gloss, others = _layout(fitted)
+    degree = min(MOST_DEGREE, len(fitted.hours) - 1)
+    held = fitted.brdf.parameters
+
+    def value(name: str, where: tuple[slice, slice]) -> Floats:
+        """A parameter (y, x, T) or (y, x, T, C) of a block, fitted or held."""
+        if name in fitted.quantities:
+            return fitted.values(name, where)
+        size = tuple(s.stop - s.start for s in where)
+        constant = np.asarray(held[name], float)
+        return np.broadcast_to(constant, (*size, len(fitted.hours), *constant.shape))
+
+    def specular(where: tuple[slice, slice]) -> Floats:
+        if gloss is None:
+            return np.zeros((*(s.stop - s.start for s in where), len(fitted.hours)))
+        K_s, sigma_s = value("K_s", where), value("sigma_s", where)
+        weight = staf_area(sigma_s)
+        if gloss.normalization == "facets":
+            weight = weight / equations.facet_area(NUMPY, sigma_s)
+        return K_s * (weight[..., None] if K_s.ndim == 4 else weight)
+
+    def zeros(where: tuple[slice, slice]) -> Floats:
+        return np.zeros((*(s.stop - s.start for s in where), len(fitted.hours)))
+
+    maps: dict[str, Callable[[tuple[slice, slice]], Floats]] = {
+        "Diffuse": (lambda w: value("K_d", w)) if diffuse else zeros,
+        "Specular": specular,
+        "Roughness": (lambda w: value("sigma_s", w)) if gloss else zeros,
+    }
+    for name in others:
+        maps[name] = lambda w, name=name: value(name, w)  # type: ignore[misc]
+    target = Path(folder)
+    written = []
+    for k, (name, of) in enumerate(maps.items()):
+        if progress:
+            progress(k, len(maps), f"writing {name}")
+        coefficients = np.zeros((degree + 1, *fitted.shape, 3), np.float32)
+        for block in fitted.blocks:
+            where = fitted.blocks.slices(block)
+            part = polynomials(of(where), fitted.hours, degree)
+            coefficients[(slice(None), *where)] = part if part.ndim == 4 else part[..., None]
+        for d, picture in enumerate(coefficients):
+            written.append(_write(target / f"{name}-{d}.exr", picture))
+    return written
+
+
+def staf_area(sigma_s: Floats) -> Floats:
+    """S / K_s of the STAF layout: pi R^2 (1 - exp(-1/R^2))."""
+    r2 = np.square(sigma_s)
+    with np.errstate(divide="ignore", over="ignore"):
+        return np.pi * r2 * -np.expm1(-1 / r2)
+
+
+def polynomials(values: Floats, hours: Floats, degree: int) -> Floats:
+    """Coefficients (degree + 1, y, x[, C]) of t^d that fit values (y, x, T[, C]) at times, t from 0 to 1; NaN is left out."""
+    span = hours[-1] - hours[0]
+    t = (hours - hours[0]) / span if span > 0 else np.zeros(len(hours))
+    rows = np.moveaxis(values, 2, -1)  # (y, x[, C], T)
+    flat = rows.reshape(-1, len(t))
+    good = np.isfinite(flat)
+    result = np.zeros((len(flat), degree + 1))
+    for pattern in np.unique(good, axis=0):
+        n = int(pattern.sum())
+        if n == 0:
+            continue
+        own = np.flatnonzero((good == pattern).all(axis=1))
+        powers = min(degree, n - 1) + 1
+        basis = np.linalg.pinv(np.vander(t[pattern], powers, increasing=True))
+        result[own, :powers] = flat[own][:, pattern] @ basis.T
+    return np.moveaxis(result.reshape(*rows.shape[:-1], degree + 1), -1, 0)
+
+
+def _layout(fitted: FittedMap) -> tuple[bool, TorranceSparrow | None, list[str]]:
+    """Whether there is a diffuse part, the gloss, and the parameters that the layout does not know."""
+    parts = list(_parts(fitted.brdf))
+    diffuse = [p for p in parts if isinstance(p, (Lambert, OrenNayar))]
+    gloss = [p for p in parts if isinstance(p, TorranceSparrow)]
+    hint = "Export lambert or oren_nayar, torrance_sparrow, or a sum of the two; the Zarr store holds every model"
+    if any(isinstance(p, DustLayer) for p in parts) or len(diffuse) + len(gloss) < len(parts):
+        raise MotesError(f"the STAF layout has no place for dust, and the model is {fitted.model}", hint)
+    if len(diffuse) > 1 or len(gloss) > 1:
+        raise MotesError(f"the STAF layout holds one lobe of a kind, and the model is {fitted.model}", hint)
+    if gloss and gloss[0].fresnel is not None:
+        raise MotesError(f"the STAF layout has no Fresnel term, and the model is {fitted.model}", hint)
+    if len(fitted.channels) not in (1, 3):
+        raise MotesError(f"the STAF layout holds 1 or 3 channels, and the map has {len(fitted.channels)}", hint)
+    known = {"K_d", "K_s", "sigma_s"}
+    others = [q for q in fitted.brdf.parameters if q not in known]
+    return bool(diffuse), gloss[0] if gloss else None, others
+
+
+def _parts(brdf: BRDF) -> list[BRDF]:
+    return [*_parts(brdf.a), *_parts(brdf.b)] if isinstance(brdf, Sum) else [brdf]
+
+
+def _write(path: Path, picture: NDArray[np.float32]) -> Path:
+    """R, G, B (y, x, 3) as float32, whole or not at all."""
+    import OpenEXR
+
+    header: dict[str, Any] = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
+    channels = {c: np.ascontiguousarray(picture[..., k]) for k, c in enumerate("RGB")}
+    with replacing(path) as temporary:
+        try:
+            OpenEXR.File(header, channels).write(str(temporary))
+        except OSError:
+            raise
+        except Exception as error:  # the library raises RuntimeError for a full disk
+            raise OSError(f"{str(error)[:200]}") from error
+    return path

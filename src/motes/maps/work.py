@@ -1,0 +1,80 @@
+"""One block: read, fit, write.  What went wrong comes back as words, so that it can travel between machines."""
+
+from __future__ import annotations
+
+import errno
+from functools import lru_cache
+from typing import NamedTuple
+
+from motes.fitting.texels import TexelFit
+from motes.maps.fitted import FittedMap, open_fitted
+from motes.maps.stack import Singles
+
+DONE, UNREADABLE, UNWRITABLE = "done", "unreadable", "unwritable"
+
+
+class Outcome(NamedTuple):
+    """What became of a block: one of `DONE`, `UNREADABLE`, `UNWRITABLE`; the texels it holds, and why it failed."""
+
+    block: tuple[int, int]
+    kind: str
+    texels: int
+    reason: str = ""
+
+
+def read_block(fitted: FittedMap, block: tuple[int, int]) -> Singles | str:
+    """The values (y, x, T, D, C) of a block, or in words why they cannot be read."""
+    try:
+        return fitted.plan.stack.read(block)
+    except MemoryError:
+        return "its values do not fit into memory"
+    except Exception as error:  # a codec raises what it likes
+        return " ".join((str(error) or type(error).__name__).split())[:200]
+
+
+def fit_block(fitted: FittedMap, values: Singles) -> TexelFit:
+    """The fits of a block's values (y, x, T, D, C), row by row."""
+    plan = fitted.plan
+    if not plan.used.all():
+        values = values[:, :, :, plan.used]
+    size = values.shape[0] * values.shape[1]
+    rows = values.reshape(size, *values.shape[2:]) if fitted.joint else values.reshape(-1, *values.shape[3:])
+    return plan.solver.fit(rows, plan.starts)
+
+
+def write_block(fitted: FittedMap, block: tuple[int, int], fit: TexelFit) -> Outcome:
+    """Put a block's fits into the store; a disk that refuses is an outcome."""
+    texels = fitted.blocks.texels(block)
+    try:
+        fitted.write(block, fit)
+    except OSError as error:
+        full = error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+        return Outcome(block, UNWRITABLE, texels, f"{'the disk is full: ' if full else ''}{error.strerror or error}")
+    return Outcome(block, DONE, texels)
+
+
+def work_on(path: str, run: str, block: tuple[int, int]) -> Outcome:
+    """A block of the fitted map at a path: what a worker of a cluster calls.  `run` tells runs into one path apart."""
+    _own_threads()
+    fitted = _opened(path, run)
+    values = read_block(fitted, block)
+    if isinstance(values, str):
+        return Outcome(block, UNREADABLE, fitted.blocks.texels(block), values)
+    return write_block(fitted, block, fit_block(fitted, values))
+
+
+@lru_cache(maxsize=2)
+def _opened(path: str, run: str) -> FittedMap:
+    return open_fitted(path, mode="r+")
+
+
+def _own_threads() -> None:
+    """As many threads for fits as the worker was started with, unless it was told otherwise; before Numba is imported."""
+    import os
+    import sys
+
+    if "numba" in sys.modules or "NUMBA_NUM_THREADS" in os.environ:
+        return
+    from distributed import get_worker
+
+    os.environ["NUMBA_NUM_THREADS"] = str(get_worker().state.nthreads)

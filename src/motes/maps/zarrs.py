@@ -1,0 +1,203 @@
+"""Zarr groups as this room uses them: version 3, on a disk, with named dimensions; what a damaged one says."""
+
+from __future__ import annotations
+
+import math
+import os
+import shutil
+import warnings
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from motes.errors import FormatError, MissingExtraError, MotesError
+from motes.material import CONVENTIONS as MATERIAL_CONVENTIONS
+
+STACK, FITTED = "motes map", "motes fitted map"
+VERSION = 1
+CONVENTIONS = {
+    **MATERIAL_CONVENTIONS,
+    "map": "rows y downwards, columns x to the right; one frame, one light and one viewer a direction for all texels",
+}
+# Bytes of one chunk, and of a small array that is read whole, beyond which a store is refused.
+LARGEST_CHUNK, LARGEST_TABLE = 4 * 2**30, 2**28
+MOST_BLOCKS = 10_000_000
+
+
+def zarr() -> Any:
+    """The package, or the error that names the extra."""
+    try:
+        import zarr
+    except ImportError:
+        raise MissingExtraError("zarr", "scale", "A reflectance map") from None
+    return zarr
+
+
+def is_store(path: object) -> bool:
+    """Whether a path is, or is named as, a Zarr store."""
+    folder = Path(str(path))
+    return folder.suffix == ".zarr" or any((folder / name).is_file() for name in ("zarr.json", ".zgroup", ".zarray"))
+
+
+def kind_of(path: object) -> str:
+    """``"fitted"`` for what `motes.maps.fit_map` wrote, ``"stack"`` for any other group."""
+    return "fitted" if open_group(path).attrs.get("format") == FITTED else "stack"
+
+
+def open_group(path: object, mode: str = "r") -> Any:
+    """The Zarr group at a path.
+
+    Raises
+    ------
+    FormatError
+        When there is none, or of version 2.
+    """
+    library = zarr()
+    folder = Path(str(path))
+    if not folder.exists():
+        raise FormatError(f"{folder} does not exist", "Check the path")
+    if (folder / ".zgroup").is_file() or (folder / ".zarray").is_file():
+        raise FormatError(
+            f"{folder} is a Zarr store of version 2; maps are read from version 3",
+            "Convert it: xarray.open_zarr(old).to_zarr(new, zarr_format=3)",
+        )
+    try:
+        return library.open_group(str(folder), mode=mode, use_consolidated=False, zarr_format=3)
+    except Exception as error:  # the library raises what it likes
+        raise FormatError(
+            f"{folder} is not a Zarr group that can be opened: {_shortly(error)}",
+            "A map is a Zarr v3 group with an array f_r (y, x, time, direction, channel)",
+        ) from None
+
+
+def arrays(group: Any, where: object) -> dict[str, Any]:
+    """The arrays of a group by name; sub-groups are left out."""
+    try:
+        return dict(group.arrays())
+    except Exception as error:
+        raise FormatError(
+            f"{where} holds an array that cannot be opened: {_shortly(error)}", "Write it again"
+        ) from None
+
+
+def dimensions(array: Any) -> tuple[str, ...]:
+    """The names of an array's axes; those without are ``"?"``."""
+    names = getattr(array.metadata, "dimension_names", None) or ("?",) * array.ndim
+    return tuple(str(name) if name else "?" for name in names)
+
+
+def numbers(array: Any, where: object) -> NDArray[np.float64]:
+    """A small array whole, as float64."""
+    if array.dtype.kind not in "fiu" or math.prod(array.shape) * array.dtype.itemsize > LARGEST_TABLE:
+        raise FormatError(f"{where}: {array.basename} ({array.dtype}, {array.shape}) is not a table of numbers")
+    try:
+        return unpacked(np.asarray(array[...]), array.attrs, np.float64)
+    except Exception as error:
+        raise FormatError(f"{where}: {array.basename} cannot be read: {_shortly(error)}", "Write it again") from None
+
+
+def unpacked(raw: NDArray[Any], attributes: Mapping[str, Any], kind: Any) -> NDArray[Any]:
+    """Numbers as they are meant: the CF attributes ``_FillValue``, ``scale_factor`` and ``add_offset`` applied."""
+    values = raw.astype(kind, copy=False)
+    fill, scale, offset = (attributes.get(name) for name in ("_FillValue", "scale_factor", "add_offset"))
+    missing = None if not isinstance(fill, (int, float)) or np.isnan(fill) else raw == fill
+    if scale is not None or offset is not None:
+        values = values * kind(1 if scale is None else scale) + kind(offset or 0)
+    if missing is not None and missing.any():
+        values = np.where(missing, kind(np.nan), values)
+    return values
+
+
+def check_chunks(array: Any, where: object) -> None:
+    """Refuse chunks that no memory holds and numbers of chunks that no list holds."""
+    size = math.prod(array.chunks) * array.dtype.itemsize
+    if size > LARGEST_CHUNK:
+        raise FormatError(
+            f"{where}: one chunk {array.chunks} of {array.basename} is {size / 2**30:.1f} GiB, and a chunk is read whole",
+            "Write the store again with chunks of 64 x 64 texels",
+        )
+
+
+@contextmanager
+def creating(path: object) -> Iterator[Any]:
+    """A new group at a path; when the block fails, what it made is gone again.
+
+    Raises
+    ------
+    MotesError
+        When something is there already, or the disk refuses.
+    """
+    library = zarr()
+    folder = Path(str(path))
+    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+        raise MotesError(f"{folder} exists and is not empty", "Choose another name, or remove it")
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        group = library.create_group(str(folder), zarr_format=3, overwrite=True)
+        yield group
+        consolidate(folder)
+    except BaseException as error:
+        shutil.rmtree(folder, ignore_errors=True)
+        if isinstance(error, OSError):
+            raise cannot_write(folder, error) from error
+        raise
+
+
+def consolidate(folder: Path) -> None:
+    """Metadata in one place: without it xarray warns."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # that this is not in the specification of version 3 yet
+        zarr().consolidate_metadata(str(folder))
+
+
+def cannot_write(where: object, error: OSError) -> MotesError:
+    """The refusal of a disk, in a sentence."""
+    return MotesError(
+        f"{where} cannot be written: {error.strerror or error}", "Choose a place that is writable and has room, with -o"
+    )
+
+
+def add(
+    group: Any,
+    name: str,
+    values: NDArray[Any] | None = None,
+    *,
+    dims: tuple[str, ...],
+    shape: tuple[int, ...] = (),
+    chunks: tuple[int, ...] = (),
+    dtype: Any = "f4",
+    fill: Any = np.nan,
+    attributes: Mapping[str, Any] | None = None,
+    compressed: bool = True,
+) -> Any:
+    """A new array with named axes: of `values`, in one chunk, or empty of a shape."""
+    if values is not None:
+        shape, dtype, fill = values.shape, values.dtype, 0
+        chunks = tuple(max(1, n) for n in shape)
+    options: dict[str, Any] = {} if compressed else {"compressors": None}
+    array = group.create_array(
+        name,
+        shape=shape,
+        chunks=chunks,
+        dtype=dtype,
+        fill_value=fill,
+        dimension_names=dims,
+        attributes=dict(attributes or {}),
+        **options,
+    )
+    if values is not None:
+        array[...] = values
+    return array
+
+
+def size_on_disk(path: object) -> int:
+    """Bytes of all files below a path."""
+    return sum(os.path.getsize(os.path.join(root, name)) for root, _, names in os.walk(str(path)) for name in names)
+
+
+def _shortly(error: Exception) -> str:
+    return " ".join((str(error) or type(error).__name__).split())[:200]

@@ -1,0 +1,184 @@
+"""``motes_dusty`` over a nested BSDF of any plugin: Blinn's layer of dust."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, final
+
+from motes import arrays, equations
+from motes.arrays import Array, Columns
+from motes.directions import Geometry, Vector
+from motes.errors import ParameterError
+from motes.models import BRDF, DustLayer
+from motes.models.base import Component
+from motes.rendering._mixture import SMALLEST_COSINE, Mixture
+from motes.rendering._surface import _describe, _kind, _spectrum
+from motes.rendering._values import Values
+
+# What share of light a nested BSDF is taken to reflect when its chance of being sampled is computed.
+_ASSUMED_ALBEDO = 0.5
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class _Nested(BRDF):
+    """The place of the nested BSDF in the model of the layer."""
+
+    def formula(self, xp: Array, geometry: Geometry) -> Array:
+        return 0.0
+
+    def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
+        return [Component(self.formula, None, _ASSUMED_ALBEDO)]  # type: ignore[arg-type]
+
+
+def nested_bsdfs(mi: Any, properties: Any) -> list[Any]:
+    """The BSDFs among a plugin's properties."""
+    objects = (properties.get(key) for key in properties if properties.type(key) == mi.Properties.Type.Object)
+    return [thing for thing in objects if isinstance(thing, mi.BSDF)]
+
+
+def layer_class(mi: Any) -> type:
+    """The class of ``motes_dusty`` with a nested BSDF, for the variant of Mitsuba that is set."""
+    import drjit as dr
+
+    flags = mi.BSDFFlags
+
+    class DustyLayer(mi.BSDF):
+        """T f_base + (1 - T) f_dust on the front side; light that crosses the layer once, into glass, keeps its share."""
+
+        def __init__(self, properties: Any) -> None:
+            mi.BSDF.__init__(self, properties)
+            name, nested = properties.plugin_name(), nested_bsdfs(mi, properties)
+            if len(nested) != 1:
+                raise ParameterError(f"{name} has {len(nested)} nested BSDFs", "It lies over one, or over none")
+            self.base = nested[0]
+            if self.base.flags() & flags.Null:
+                raise ParameterError(
+                    f"{name}: the nested BSDF lets light through unbent", "Put motes_dusty inside the mask"
+                )
+            self.values = Values(mi, name, DustLayer(_Nested()))
+            self.values.read(properties)
+            count = self.base.component_count()
+            self.dust_flag = flags.DiffuseReflection | flags.FrontSide | flags.SpatiallyVarying
+            self.m_components = [*(self.base.flags(k) for k in range(count)), self.dust_flag]
+            self.m_flags = self.base.flags() | self.dust_flag
+            self.has_delta = bool(self.base.flags() & flags.Delta)
+
+        def _layer(self, si: Any, active: Any) -> _Layer:
+            return _Layer(*self.values.models(si, active), si.wi)
+
+        def _enabled(self, context: Any) -> tuple[bool, bool]:
+            """Whether the context asks for the base, and for the dust."""
+            dust = len(self.m_components) - 1
+            base = any(context.is_enabled(flags(_kind(self.m_components[k])), k) for k in range(dust))
+            return base, context.is_enabled(flags.DiffuseReflection, dust)
+
+        def _value_and_pdf(
+            self, layer: _Layer, context: Any, si: Any, wo: Any, active: Any, chance: Any
+        ) -> tuple[Any, Any]:
+            """Times the cosine; Dirac peaks of the base left out."""
+            base, dust = self._enabled(context)
+            value, pdf = mi.Spectrum(0.0), mi.Float(0.0)
+            if base:
+                value, pdf = self.base.eval_pdf(context, si, wo, active)
+                pdf = pdf * chance
+            own: Any = _spectrum(mi, dr.zeros(mi.UnpolarizedSpectrum if mi.is_polarized else mi.Spectrum))
+            if dust:
+                above = active & (si.wi.z > 0) & (wo.z > 0)
+                own = _spectrum(mi, dr.select(above, layer.dust(wo) * wo.z, 0.0))
+                pdf = pdf + dr.select(above, (1 - chance) * layer.pdf(wo), 0.0)
+            return equations.dust_layer(layer.xp, value, own, layer.depth(wo)), pdf
+
+        def _chance(self, layer: _Layer, context: Any, si: Any) -> Any:
+            """That the base is sampled: always from behind."""
+            base, dust = self._enabled(context)
+            if not (base and dust):
+                return mi.Float(1.0 if base else 0.0)
+            return dr.select(si.wi.z > 0, layer.chance, 1.0)
+
+        def sample(self, context: Any, si: Any, sample1: Any, sample2: Any, active: Any = True) -> tuple[Any, Any]:
+            base, dust = self._enabled(context)
+            if not (base or dust):
+                return dr.zeros(mi.BSDFSample3f), mi.Spectrum(0.0)
+            layer = self._layer(si, active)
+            chance = self._chance(layer, context, si)
+            of_base = sample1 < chance
+            bs, weight = dr.zeros(mi.BSDFSample3f), mi.Spectrum(0.0)
+            if base:
+                scaled = dr.minimum(sample1 / dr.maximum(chance, 1e-30), 1 - 1e-7)
+                bs, weight = self.base.sample(context, si, scaled, sample2, active & of_base)
+            peak = of_base & mi.has_flag(bs.sampled_type, flags.Delta) if self.has_delta else False
+            if dust:
+                rest = (sample1 - chance) / dr.maximum(1 - chance, 1e-30)  # as random as the whole, where it is used
+                bs.wo = dr.select(of_base, bs.wo, mi.Vector3f(*layer.sample(rest, sample2)))
+                bs.eta = dr.select(of_base, bs.eta, 1.0)
+                bs.sampled_type = dr.select(of_base, bs.sampled_type, mi.UInt32(+flags.DiffuseReflection))
+                bs.sampled_component = dr.select(of_base, bs.sampled_component, mi.UInt32(len(self.m_components) - 1))
+            alive = active & (dr.select(of_base, bs.pdf, 1.0) > 0)
+            value, pdf = self._value_and_pdf(layer, context, si, bs.wo, alive, chance)
+            pdf = dr.select(alive & (pdf > 0), pdf, 0.0)
+            result = dr.select(pdf > 0, value / dr.maximum(pdf, 1e-30), 0.0)
+            if self.has_delta:
+                nothing = dr.zeros(mi.Spectrum)
+                through = equations.dust_layer(layer.xp, weight, nothing, layer.depth(bs.wo))
+                result = dr.select(peak & alive, through / dr.maximum(chance, 1e-30), result)
+                pdf = dr.select(peak & alive, bs.pdf * chance, pdf)
+            bs.pdf = pdf
+            return bs, result
+
+        def eval_pdf(self, context: Any, si: Any, wo: Any, active: Any = True) -> tuple[Any, Any]:
+            layer = self._layer(si, active)
+            value, pdf = self._value_and_pdf(layer, context, si, wo, active, self._chance(layer, context, si))
+            return dr.select(active, value, 0.0), dr.select(active, pdf, 0.0)
+
+        def eval(self, context: Any, si: Any, wo: Any, active: Any = True) -> Any:
+            return self.eval_pdf(context, si, wo, active)[0]
+
+        def pdf(self, context: Any, si: Any, wo: Any, active: Any = True) -> Any:
+            return self.eval_pdf(context, si, wo, active)[1]
+
+        def traverse(self, callback: Any) -> None:
+            callback.put("base", self.base, mi.ParamFlags.Differentiable)
+            for name, texture in self.values.textures():
+                callback.put(name, texture, mi.ParamFlags.Differentiable)
+
+        def to_string(self) -> str:
+            return f"{_describe(self.values)[:-2]},\n  base = {self.base!s}\n]"
+
+    return DustyLayer
+
+
+class _Layer:
+    """The dust where rays meet the surface: how much it lets through, what it scatters, and where it is sampled."""
+
+    def __init__(self, model: BRDF, averaged: BRDF, wi: Any) -> None:
+        import drjit as dr
+
+        assert isinstance(model, DustLayer)
+        self.xp, self.model, self.wi = arrays.namespace(wi), model, wi
+        base, dust = averaged.components(self.xp, self.xp.maximum(dr.detach(wi.z), SMALLEST_COSINE))
+        self.chance = base.importance / (base.importance + dust.importance)
+        self._sampler = Mixture(model, averaged, wi, [1])
+
+    def _geometry(self, wo: Any) -> Geometry:
+        return Geometry(self.xp, Vector(self.wi.x, self.wi.y, self.wi.z), Vector(wo.x, wo.y, wo.z))
+
+    def dust(self, wo: Any) -> Array:
+        """The BRDF of the dust alone [1/sr]."""
+        return self.model.dust.formula(self.xp, self._geometry(wo))
+
+    def depth(self, wo: Any) -> Array:
+        """Optical thickness along the path; a direction below the surface does not cross the layer."""
+        geometry = self._geometry(wo)
+        side: Callable[[Array, Array], Array] = lambda z, cosine: self.xp.where(z > 0, cosine, float("inf"))  # noqa: E731
+        cos_i, cos_r = side(self.wi.z, geometry.cos_theta_i), side(wo.z, geometry.cos_theta_r)
+        return equations.slant_depth(self.xp, cos_i, cos_r, self.model.tau)
+
+    def pdf(self, wo: Any) -> Array:
+        """The density of `sample` [1/sr]."""
+        return self._sampler.pdf(wo)
+
+    def sample(self, which: Array, u: Any) -> Columns:
+        """A direction in which the dust scatters."""
+        return self._sampler.sample(which, u)[0]
