@@ -1,6 +1,7 @@
 # make demo   install, and run the main job on simulated data
 # make test   install what the tests need, and run them all
 # make lint   the checks of style, types and imports alone
+# make bench  install what the benchmarks need, run them, and write docs/benchmarks.md (EFFORT=quick, normal or full)
 # make clean  remove what these made
 
 VENV ?= .venv
@@ -11,8 +12,9 @@ PYTHON := $(shell for p in python3 python3.14 python3.13 python3.12 python3.11; 
 	$$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && { echo $$p; break; }; done)
 endif
 JOBS ?= 2
+EFFORT ?= normal
 
-.PHONY: demo test lint clean
+.PHONY: demo test lint bench clean
 .DELETE_ON_ERROR:
 
 demo: $(VENV)/.installed-all
@@ -20,6 +22,8 @@ demo: $(VENV)/.installed-all
 
 # The tests run also where lint complains, and say their result last.
 test: $(VENV)/.installed-dev
+	@command -v chromium google-chrome > /dev/null && command -v node > /dev/null && test -d viewer/node_modules \
+	  || echo "without chromium, node or viewer/node_modules (npm ci) the viewer's tests in a browser are skipped, by name"
 	@$(MAKE) --no-print-directory lint; lint=$$?; \
 	$(BIN)/python -m pytest -n $(JOBS); tests=$$?; \
 	test $$lint -eq 0 || echo "lint failed, see above"; \
@@ -38,6 +42,9 @@ $(VENV)/.installed-%: pyproject.toml
 	@$(PYTHON) -m venv $(VENV)
 	@$(PIP) --editable '.[$*]'
 	@touch $@
+
+bench: $(VENV)/.installed-dev
+	$(BIN)/python benchmarks/run.py --effort $(EFFORT)
 
 clean:
 	rm -rf $(VENV) out build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache

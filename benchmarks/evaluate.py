@@ -1,112 +1,244 @@
-"""How fast the engine evaluates the whole dusty RGB surface and its gradient.
+"""Evaluation of the whole dusty RGB surface and its gradient, against the memory's roof, NumPy, PyTorch and Mitsuba.
 
-One process takes the candidates in turn, and the best of several rounds counts.
-
-    python benchmarks/evaluate.py [--directions 10_000_000] [--rounds 7]
-
-Machines differ and are busy, so look at the ratios: to copying as many bytes as an evaluation reads and writes, to plain NumPy,
-and of the gradient to the evaluation.
+usage: python benchmarks/evaluate.py [--effort quick|normal|full] [--json FILE]
 """
 
 from __future__ import annotations
 
-import argparse
-import os
-import subprocess
-import sys
-import tempfile
-import time
+import itertools
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from motes import Dust, DustLayer, OrenNayar, TorranceSparrow, engine
-from motes.arrays import NUMPY
-from motes.directions import Geometry, Vector
+import machine
+import rivals
+import roof
+from motes import MotesError, engine
+from results import Effort, Goal, Number, Section, Table, command
+from rivals import PARAMETERS, SURFACE, Rows, directions
+from timing import Timing, interleaved
 
-SURFACE = DustLayer(
-    OrenNayar(K_d=(0.8, 0.7, 0.6), sigma_d=0.4) + TorranceSparrow(K_s=0.3, sigma_s=0.15),
-    Dust(w=(0.7, 0.6, 0.5), g=0.3),
-    tau=0.2,
-)
-FIRST_CALL = """
-import time
-import numba
-import numpy as np
-from motes import engine
-from evaluate import SURFACE  # this file
-up = np.array([[0, 0, 1]], np.float32)
-start = time.perf_counter()
-engine.evaluate(SURFACE, up, up)
-print(time.perf_counter() - start)
-"""
-
-
-def directions(n: int, seed: int) -> NDArray[np.float32]:
-    """Uniform over the upper hemisphere, as a (3, n) array."""
-    rng = np.random.default_rng(seed)
-    z, phi = rng.random(n, np.float32), rng.random(n, np.float32) * np.float32(2 * np.pi)
-    r = np.sqrt((1 - z) * (1 + z))
-    return np.stack([r * np.cos(phi), r * np.sin(phi), z])
-
-
-def by_numpy(wi: NDArray[Any], wo: NDArray[Any]) -> NDArray[Any]:
-    with np.errstate(all="ignore"):
-        return SURFACE.value(NUMPY, Geometry(NUMPY, Vector.of(wi), Vector.of(wo)))
+# Bytes that the largest candidate needs for one direction: NumPy's intermediate results, and all arrays of the others.
+BYTES_EACH = 700
+TOLERANCE = 2e-4  # of the largest value: float32 with other functions
+MAIN = "rows32"
+LABELS = {
+    "stream": "memory: the same bytes by stores past the caches",
+    "copies": "memory: `numpy.copyto` of as many bytes, all cores",
+    MAIN: "**Motes float32, (3, N)**",
+    "rows32_new": "Motes float32, (3, N), new array out",
+    "pieces32": "Motes float32, (N, 3)",
+    "rows64": "Motes float64, (3, N)",
+    "pieces64": "Motes float64, (N, 3)",
+    "gradient": f"Motes float32, gradient by {PARAMETERS} parameters",
+    "numpy": "NumPy float32, the equations as they stand",
+    "blocks": "NumPy float32, traced, in blocks, one core",
+    "blocks_all": "NumPy float32, traced, in blocks, all cores",
+    "torch": "PyTorch float32, traced, `torch.compile`",
+    "roughplastic": "Mitsuba `roughplastic` (LLVM)",
+    "principled": "Mitsuba `principled` (LLVM)",
+    "motes_dusty": "the surface as Motes' Mitsuba plugin (LLVM)",
+}
+Candidates = dict[str, tuple[Callable[[], Any], float]]
 
 
-def first_calls() -> tuple[float, float]:
-    """Seconds of the first evaluation with an empty cache folder, and of the first one of the next process."""
-    here = os.path.dirname(os.path.abspath(__file__))
-    with tempfile.TemporaryDirectory() as folder:
-        environment = os.environ | {"MOTES_CACHE": folder, "PYTHONPATH": here}
-        run = [sys.executable, "-c", FIRST_CALL]
-        cold, warm = (float(subprocess.check_output(run, env=environment, text=True)) for _ in range(2))
-    return cold, warm
+@dataclass
+class Arrays:
+    """Directions and room for results in every layout and precision; rows are aligned for `roof.stream`."""
+
+    rows: tuple[Rows, Rows]
+    pieces: tuple[Rows, Rows]
+    doubles: tuple[Rows, Rows]
+    out_rows: Rows
+    out_pieces: Rows
+    out_doubles: Rows
+
+    @classmethod
+    def of(cls, n: int) -> Arrays:
+        """For n directions."""
+        rows = (roof.aligned(3, n), roof.aligned(3, n))
+        for k, w in enumerate(rows):
+            w[...] = directions(n, k + 1)
+        return cls(
+            rows,
+            tuple(np.ascontiguousarray(w.T) for w in rows),  # type: ignore[arg-type]
+            tuple(w.astype(np.float64) for w in rows),  # type: ignore[arg-type]
+            roof.aligned(3, n),
+            np.zeros((n, 3), np.float32),
+            np.zeros((3, n)),
+        )
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
-    parser.add_argument("--directions", type=int, default=10_000_000)
-    parser.add_argument("--rounds", type=int, default=7)
-    options = parser.parse_args()
-    n = options.directions
-
-    rows = directions(n, 1), directions(n, 2)
-    pieces = tuple(np.ascontiguousarray(w.T) for w in rows)
-    out_rows, out_pieces = np.empty((3, n), np.float32), np.empty((n, 3), np.float32)
-    part = min(n, 1_000_000)  # less memory for float64, and for NumPy, which is slow
-    few = min(n, 100_000)
-    double = tuple(w[:, :part].astype(np.float64) for w in rows)
+def own_candidates(arrays: Arrays, pool: ThreadPoolExecutor) -> Candidates:
+    """What needs nothing but Motes and NumPy."""
+    n = arrays.out_rows.shape[1]
+    (a, b), out = arrays.rows, arrays.out_rows
+    double_pieces = [np.ascontiguousarray(w.T) for w in arrays.doubles]
+    out_double_pieces = np.zeros((n, 3))
     seed = np.ones((3, n), np.float32)
-    source, target = np.zeros((9 * n) // 2, np.float32), np.zeros((9 * n) // 2, np.float32)
-    numpy_pieces = tuple(w[:few] for w in pieces)
+    source = np.ones(n * roof.BYTES // 8, np.float32)  # as many bytes read as written
+    target = np.zeros_like(source)
+    edges = np.linspace(0, len(source), rivals.cores() + 1).astype(int).tolist()
 
-    candidates: dict[str, tuple[Callable[[], Any], int]] = {
-        "copying, one thread": (lambda: np.copyto(target, source), n),  # 36 bytes, as for 6 float32 in and 3 out
-        "float32, (3, N) rows": (lambda: engine.evaluate(SURFACE, rows[0].T, rows[1].T, out=out_rows.T), n),
-        "float32, (N, 3)": (lambda: engine.evaluate(SURFACE, *pieces, out=out_pieces), n),
-        "float32, gradient in 11": (lambda: engine.vjp(SURFACE, rows[0].T, rows[1].T, seed.T), n),
-        "float64, (3, N) rows": (lambda: engine.evaluate(SURFACE, double[0].T, double[1].T), part),
-        "NumPy float32": (lambda: by_numpy(*numpy_pieces), few),
+    def copies() -> None:
+        parts = [slice(p, q) for p, q in itertools.pairwise(edges)]
+        for future in [pool.submit(np.copyto, target[part], source[part]) for part in parts]:
+            future.result()
+
+    def blocks(call: Callable[..., None], *more: Any) -> Callable[[], None]:
+        return lambda: call(a, b, out, rivals.BLOCKS[1], *more)
+
+    calls: dict[str, Callable[[], Any]] = {
+        "stream": lambda: roof.stream(a, b, out),
+        "copies": copies,
+        MAIN: lambda: engine.evaluate(SURFACE, a.T, b.T, out=out.T),
+        "rows32_new": lambda: engine.evaluate(SURFACE, a.T, b.T),
+        "pieces32": lambda: engine.evaluate(SURFACE, *arrays.pieces, out=arrays.out_pieces),
+        "rows64": lambda: engine.evaluate(SURFACE, *(w.T for w in arrays.doubles), out=arrays.out_doubles.T),
+        "pieces64": lambda: engine.evaluate(SURFACE, *double_pieces, out=out_double_pieces),
+        "gradient": lambda: engine.vjp(SURFACE, a.T, b.T, seed.T),
+        "numpy": lambda: rivals.plain_numpy(*arrays.pieces),
+        "blocks": blocks(rivals.numpy_blocks),
+        "blocks_all": blocks(rivals.numpy_blocks_on_all_cores, pool),
     }
-    best = dict.fromkeys(candidates, np.inf)
-    for _ in range(options.rounds + 1):  # the first round compiles
-        for name, (call, count) in candidates.items():
-            start = time.perf_counter()
-            call()
-            best[name] = min(best[name], (time.perf_counter() - start) / count)
+    return {name: (call, n) for name, call in calls.items()}
 
-    evaluation, plain = best["float32, (3, N) rows"], best["NumPy float32"]
-    print(f"{n} directions, {engine._threads()} threads; best of {options.rounds} rounds\n")
-    print(f"{'':26} {'M/s':>8} {'x evaluation':>14} {'x NumPy':>10}")
-    for name, seconds in best.items():
-        print(f"{name:26} {1e-6 / seconds:8.1f} {seconds / evaluation:14.2f} {plain / seconds:10.1f}")
-    cold, warm = first_calls()
-    print(f"\nfirst call {cold:.2f} s compiled, {warm:.2f} s from the cache (after import numba)")
+
+def check(name: str, found: Rows, expected: Rows) -> None:
+    """Stop where a candidate computes something else: its time would mean nothing."""
+    worst = float(np.abs(found - expected).max() / np.abs(expected).max())
+    if not worst < TOLERANCE:
+        raise ArithmeticError(f"{name} is off by {worst:.2g} of the largest value")
+
+
+def foreign_candidates(arrays: Arrays, expected: Rows, compile_torch: bool, skipped: list[str]) -> Candidates:
+    """PyTorch and Mitsuba, where they work; what does not is named in `skipped`."""
+    n = arrays.out_rows.shape[1]
+    found: Candidates = {}
+    try:
+        if not compile_torch:
+            raise MotesError("not compiled in a quick run")
+        call, result = rivals.torch_compiled(*arrays.rows)
+        check("PyTorch", result(), expected)
+        found["torch"] = (call, n)
+    except MotesError as error:
+        skipped.append(rivals.skipped("PyTorch", error))
+    try:
+        mi = rivals.mitsuba()
+        si, wo = rivals.wavefront(mi, *arrays.rows)
+        for name, bsdf in rivals.bsdfs(mi).items():
+            drjit_call = rivals.drjit_call(mi, bsdf, si, wo)
+            if name == "motes_dusty":
+                check(name, np.array(drjit_call()), expected * arrays.rows[1][2])
+            found[name] = (drjit_call, n)
+    except MotesError as error:
+        skipped.append(rivals.skipped("Mitsuba", error))
+    return found
+
+
+def evaluation(effort: Effort) -> Section:
+    """All candidates in turn, in one process."""
+    n = effort.pick(20_000, 10_000_000)
+    while n * BYTES_EACH > machine.memory_available() and n > 1_000_000:
+        n //= 2
+    n -= n % roof.LANES
+    arrays = Arrays.of(n)
+    skipped: list[str] = []
+    with ThreadPoolExecutor(rivals.cores()) as pool:
+        candidates = own_candidates(arrays, pool)
+        expected = engine.evaluate(SURFACE, *(w.T for w in arrays.rows)).T.copy()
+        for name in ("numpy", "blocks", "blocks_all"):
+            value = candidates[name][0]()
+            check(name, arrays.out_rows if value is None else value.T, expected)
+        candidates |= foreign_candidates(arrays, expected, effort.name != "quick", skipped)
+        timings = interleaved(candidates, effort.pick(3, 7))
+    return report(n, timings, skipped, effort.pick(3, 7))
+
+
+def report(n: int, timings: dict[str, Timing], skipped: list[str], rounds: int) -> Section:
+    """The figures, and what they say."""
+    main = timings[MAIN]
+    top = min(("stream", "copies"), key=lambda name: timings[name].seconds.median)
+    figures = {"directions": Number.of([n / 1e6]), "rounds": Number.of([rounds])}
+    for name, timing in timings.items():
+        figures[f"{name}_rate"] = timing.rate.times(1e-6)
+        figures[f"{name}_share"] = timing.faster_than(main)
+        figures[f"{name}_cpu"] = timing.processor.times(1e9)
+        figures[f"{name}_busy"] = timing.busy
+    figures["of_roof"] = main.faster_than(timings[top])
+    figures["of_roof_cpu"] = main.cheaper_than(timings[top])
+    figures["roof_bandwidth"] = timings[top].rate.times(roof.BYTES * 1e-9)
+    figures["over_numpy"] = main.faster_than(timings["numpy"])
+    figures["over_numpy_cpu"] = main.cheaper_than(timings["numpy"])
+    figures["over_blocks"] = main.faster_than(timings["blocks_all"])
+    figures["gradient_cost"] = timings[MAIN].faster_than(timings["gradient"])
+    figures["gradient_cost_cpu"] = timings[MAIN].cheaper_than(timings["gradient"])
+    for name in ("torch", "roughplastic", "principled", "motes_dusty"):
+        if name in timings:
+            figures[f"over_{name}"] = main.faster_than(timings[name])
+            figures[f"over_{name}_cpu"] = main.cheaper_than(timings[name])
+    what = "float32 (3, N)"
+    goals = [
+        Goal(f"{what} over `roughplastic`", "over_roughplastic", 1.0, unit=" x"),
+        Goal(f"{what} over the memory's roof at {roof.BYTES} bytes an evaluation", "of_roof", 0.4, unit=" x"),
+        Goal(f"{what} over NumPy as it stands", "over_numpy", 50, unit=" x"),
+        Goal(f"float32 (N, 3) over {what}", "pieces32_share", 0.5, unit=" x"),
+        Goal("float64 (3, N)", "rows64_rate", 100, unit=" M/s"),
+        Goal(f"gradient by {PARAMETERS} parameters, in evaluations", "gradient_cost", 2, at_least=False, unit=" x"),
+    ]
+    rows = [
+        [label, f"{{{name}_rate}}", f"{{{name}_share}}", f"{{{name}_cpu}}", f"{{{name}_busy:bare}}"]
+        for name, label in LABELS.items()
+        if name in timings
+    ]
+    return Section(
+        title="Evaluation",
+        made_by="benchmarks/evaluate.py, evaluation()",
+        intro=(
+            "The dusty RGB surface, equations 1 to 13 with "
+            f"{PARAMETERS} parameters, at {{directions:bare}} million pairs of directions, arrays in and out; medians of {{rounds:count}} rounds. "
+            "Candidates write into memory that they have used before, but where it says otherwise. Mitsuba's BSDFs multiply by the cosine too, and find their "
+            "directions in Dr.Jit's own arrays. Every candidate but Mitsuba's two own BSDFs, which are other models, was checked to compute the same values."
+        ),
+        figures=figures,
+        tables=[Table(["", "M/s, wall", "x Motes float32 (3, N)", "ns of processor", "processors busy"], rows)],
+        goals=[goal for goal in goals if goal.figure in figures],
+        reading=reading(timings, figures, top),
+        skipped=skipped,
+    )
+
+
+def reading(timings: dict[str, Timing], figures: dict[str, Number], top: str) -> list[str]:
+    """What the figures say."""
+    lines = [
+        f"The memory's roof is {'stores past the caches' if top == 'stream' else 'plain copying, faster here than stores past the caches'}: "
+        "{roof_bandwidth} GB/s. Motes reaches {of_roof} times that rate in float32 ({of_roof_cpu} by processor time), so "
+        + (
+            "arithmetic bounds it, not memory."
+            if figures["of_roof"].median < 0.7
+            else "it is about as fast as memory allows."
+        )
+    ]
+    if "roughplastic" in timings:
+        lines.append(
+            "The engine evaluates the surface with dust {over_roughplastic} times as fast as Mitsuba its `roughplastic` ({over_roughplastic_cpu} by "
+            "processor time), and {over_principled} times as fast as its `principled`; Motes' plugin, through Dr.Jit, is {motes_dusty_share} times as fast "
+            "as the engine."
+        )
+    lines.append(
+        "Over NumPy the engine gains {over_numpy} by wall time with all cores, {over_numpy_cpu} by processor time alone; over traced NumPy in blocks on "
+        "all cores, the best that NumPy does, {over_blocks}."
+    )
+    if "torch" in timings:
+        lines.append("Over PyTorch's compiler, handed the same traced formula, it is {over_torch} by wall time.")
+    lines.append(
+        "A gradient by all parameters costs {gradient_cost} evaluations ({gradient_cost_cpu} by processor time)."
+    )
+    return lines
 
 
 if __name__ == "__main__":
-    main()
+    command(evaluation, __doc__)

@@ -1,22 +1,18 @@
-"""How long a fit takes, against SciPy on the same data in the same run: CUReT, Cornell and a MERL table.
+"""How long a fit of one material takes, against SciPy on the same data in the same run: CUReT, Cornell and a MERL table.
 
-usage: python benchmarks/fits.py [--data ../shared/data] [--repeat 3] [--json]
+usage: python benchmarks/fits.py [--effort quick|normal|full] [--json FILE]
 
-Data that are missing are simulated at the same directions' number. SciPy's `least_squares` starts once, where our fit ended, moved by a tenth,
-so that the ratio flatters SciPy: it neither searches for starts nor makes standard errors.
+Measurements are looked for beside the repository, in ../shared/data; those that are missing are skipped by name.  SciPy's `least_squares`
+starts once, where our fit ended, moved by a tenth, so that the ratio flatters SciPy: it neither searches for starts nor makes standard errors.
 """
 
 from __future__ import annotations
 
-import argparse
-import json
-import os
 import subprocess
 import sys
 import tempfile
-import time
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -24,22 +20,17 @@ from scipy.optimize import least_squares
 
 import motes
 from motes.measurements import Measurement
+from results import Effort, Number, Section, Table, command
+from timing import interleaved
 
+DATA = Path(__file__).resolve().parents[2] / "shared" / "data"
 MODEL = "oren_nayar + torrance_sparrow"
 MATERIAL = "pink-felt"
-
-
-def best(work: Callable[[], object], repeat: int) -> float:
-    """The least wall time [s] of several."""
-    seconds = []
-    for _ in range(repeat):
-        start = time.perf_counter()
-        work()
-        seconds.append(time.perf_counter() - start)
-    return min(seconds)
+LARGE = 1_000_000  # values: fits of so many take seconds, and fewer rounds
 
 
 def simulated(n: int, channels: int) -> Measurement:
+    """A rough surface with a highlight and 2 % noise."""
     rng = np.random.default_rng(1)
     z, phi = rng.uniform(0.2, 1, (2, n)), rng.uniform(-np.pi, np.pi, (2, n))
     wi, wo = np.stack([np.sqrt(1 - z**2) * np.cos(phi), np.sqrt(1 - z**2) * np.sin(phi), z], axis=-1)
@@ -68,52 +59,94 @@ def scipy_fit(data: Measurement, fit: motes.Fit) -> Callable[[], object]:
     return lambda: least_squares(residuals, x0, bounds=(low, high), x_scale="jac", max_nfev=30)
 
 
-def merl(data: Path, folder: str) -> Measurement:
-    writer = data.parent / "tools" / "write_merl.py"
-    if not writer.exists():
-        return simulated(1_100_000, 3)
+def merl(folder: Path) -> Measurement:
+    """A table in MERL's format, written by the tool beside the data."""
+    writer = DATA.parent / "tools" / "write_merl.py"
     subprocess.run([sys.executable, writer, folder, MATERIAL], check=True, capture_output=True)
-    return motes.read(Path(folder) / f"{MATERIAL}.binary")
+    return motes.read(folder / f"{MATERIAL}.binary")
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--data", type=Path, default=Path(__file__).resolve().parents[2] / "shared" / "data")
-    parser.add_argument("--repeat", type=int, default=3)
-    parser.add_argument("--json", action="store_true")
-    given = parser.parse_args()
-    warnings.simplefilter("ignore")
-    curet, cornell = given.data / "curet", given.data / "cornell" / "krylon_blue.brdf"
-    results = []
-    with tempfile.TemporaryDirectory() as folder:
-        cases = {
-            "CUReT sample": lambda: motes.read(curet, sample=10) if curet.exists() else simulated(205, 1),
-            "Cornell paint": lambda: motes.read(cornell) if cornell.exists() else simulated(1439, 31),
-            "MERL table": lambda: merl(given.data, folder),
-        }
-        for name, read in cases.items():
-            data = read()
-            large = data.values.size > 1_000_000
-            repeat = 1 if large else given.repeat
+def measurements(effort: Effort, skipped: list[str]) -> Iterator[tuple[str, str, Measurement]]:
+    """A key, a title and the data of each case that is there."""
+    yield "simulated", "simulated", simulated(effort.pick(100, 1439), 3)
+    curet, cornell = DATA / "curet", DATA / "cornell" / "krylon_blue.brdf"
+    for key, title, path, read in (
+        ("curet", "CUReT, sample 10", curet, lambda: motes.read(curet, sample=10)),
+        ("cornell", "Cornell, Krylon blue, 31 wavelengths", cornell, lambda: motes.read(cornell)),
+    ):
+        if not path.exists():
+            skipped.append(f"{title}: ../shared/data/{path.relative_to(DATA)} is missing")
+        elif key == "curet" or effort.name != "quick":
+            yield key, title, read()
+    if not all((DATA.parent / name).exists() for name in ("tools/write_merl.py", "data/merl-nbrdf")):
+        skipped.append("MERL: ../shared/tools/write_merl.py or ../shared/data/merl-nbrdf is missing")
+    elif effort.name != "quick":
+        with tempfile.TemporaryDirectory() as folder:
+            data = merl(Path(folder))
+        yield "merl", f"MERL format, {MATERIAL}, 90 x 90 x 180 bins", data
+
+
+def material_fits(effort: Effort) -> Section:
+    """For each measurement our fit, our choice of a model, and SciPy's one start, in turn."""
+    figures: dict[str, Number] = {}
+    rows: list[list[str]] = []
+    skipped: list[str] = []
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # verdicts on the data's quality are not the matter here
+        for key, title, data in measurements(effort, skipped):
             fit = motes.fit(data, MODEL)
-            row = {"data": name, "samples": int(data.mask.sum()), "parameters": int(fit.metrics["n_parameters"])}
-            row["fit_s"] = best(lambda data=data: motes.fit(data, MODEL), repeat)
-            row["auto_s"] = best(lambda data=data: motes.fit(data), 1)
-            row["scipy_s"] = best(scipy_fit(data, fit), 1)
-            row["ratio"] = row["scipy_s"] / row["fit_s"]
-            results.append(row)
-    if given.json:
-        print(json.dumps({"cores": os.cpu_count(), "results": results}, indent=1))
-        return
-    print(
-        f"{'data':15}{'samples':>10}{'values':>8}{'fit [s]':>10}{'auto [s]':>10}{'SciPy, one start [s]':>22}{'ratio':>8}"
+            calls: dict[str, tuple[Callable[[], object], float]] = {
+                "fit": (lambda data=data: motes.fit(data, MODEL), 1),
+                "auto": (lambda data=data: motes.fit(data), 1),
+                "scipy": (scipy_fit(data, fit), 1),
+            }
+            large = data.values.size > LARGE
+            rounds = effort.pick(1, 3 if large else 5)
+            timings = interleaved(calls, rounds, warm=not large and effort.name != "quick")
+            figures |= {
+                f"{key}_values": Number.of([data.mask.sum()]),
+                f"{key}_parameters": Number.of([fit.metrics["n_parameters"]]),
+                f"{key}_rounds": Number.of([rounds]),
+                f"{key}_ratio": timings["fit"].faster_than(timings["scipy"]),
+                f"{key}_ratio_cpu": timings["fit"].cheaper_than(timings["scipy"]),
+                **{f"{key}_{name}": timing.seconds for name, timing in timings.items()},
+            }
+            names = ("values", "parameters", "rounds")
+            row = [title, *(f"{{{key}_{name}:count}}" for name in names)]
+            rows.append([*row, *(f"{{{key}_{name}}}" for name in ("fit", "auto", "scipy", "ratio", "ratio_cpu"))])
+    ratios = {name: f for name, f in figures.items() if name.endswith("_ratio")}
+    least, most = (choose(ratios, key=lambda name: ratios[name].median) for choose in (min, max))
+    figures |= {"least": ratios[least], "most": ratios[most]}
+    return Section(
+        title="Fits of one material",
+        made_by="benchmarks/fits.py, material_fits()",
+        intro=(
+            f"`motes.fit` of `{MODEL}`, from reading the arrays to standard errors; `auto` compares several models. "
+            "SciPy's `least_squares` starts once, a tenth from where our fit ended, without searching for starts and without errors, so the ratio flatters it."
+        ),
+        figures=figures,
+        tables=[
+            Table(
+                [
+                    "data",
+                    "values",
+                    "parameters",
+                    "rounds",
+                    "fit [s]",
+                    "auto [s]",
+                    "SciPy, one start [s]",
+                    "SciPy / fit",
+                    "by processor time",
+                ],
+                rows,
+            )
+        ],
+        reading=[
+            "A whole fit with its search for starts is {least} to {most} times as fast as a single start of SciPy's."
+        ],
+        skipped=skipped,
     )
-    for row in results:
-        print(
-            f"{row['data']:15}{row['samples']:10,}{row['parameters']:8}{row['fit_s']:10.3f}{row['auto_s']:10.2f}"
-            f"{row['scipy_s']:22.2f}{row['ratio']:8.1f}"
-        )
 
 
 if __name__ == "__main__":
-    main()
+    command(material_fits, __doc__)

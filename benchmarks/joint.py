@@ -1,16 +1,12 @@
-"""How long a joint fit takes: 12 scans x 4 cameras x 360 directions x 3 channels, and as many separate fits for comparison.
+"""How long a joint fit over time takes: 12 scans x 4 cameras x 360 directions x 3 channels, and as many separate fits for comparison.
 
-usage: python benchmarks/joint.py [--repeat 3] [--json]
+usage: python benchmarks/joint.py [--effort quick|normal|full] [--json FILE]
 
-The goal is 10 s on two idle cores, the model given or chosen.  CPU seconds count all threads and do not depend on what else runs.
+Processor seconds count all threads and do not depend on what else runs.
 """
 
 from __future__ import annotations
 
-import argparse
-import json
-import os
-import time
 import warnings
 from collections.abc import Callable
 
@@ -21,59 +17,71 @@ from motes.ageing import drying_plaster
 from motes.ageing.plaster import MODEL
 from motes.ageing.rig import Rig
 from motes.measurements import Measurement
+from results import Effort, Goal, Number, Section, Table, command
+from timing import interleaved
 
 SCANS, DIRECTIONS, NOISE, HOURS, GOAL = 12, 360, 0.02, 6.0, 10.0
+LABELS = {
+    "given": "joint, the model given",
+    "chosen": "joint, the model chosen too",
+    "separate": "separate fits, one a scan",
+}
 
 
-def data() -> Measurement:
-    """The drying plaster on the rig of four cameras, with 360 places of the lamp."""
+def plaster(scans: int, places: int) -> Measurement:
+    """The drying plaster on the rig of four cameras, with so many places of the lamp."""
     rig, rng = Rig(), np.random.default_rng(20060730)
-    theta = np.radians(np.linspace(78, -78, DIRECTIONS))
-    lamp = np.stack([np.sin(theta), np.zeros(DIRECTIONS), np.cos(theta)], axis=-1)
-    wi, wo = np.tile(lamp, (len(rig.wo), 1)), np.repeat(rig.wo, DIRECTIONS, axis=0)
-    times = np.linspace(0, HOURS, SCANS)
+    theta = np.radians(np.linspace(78, -78, places))
+    lamp = np.stack([np.sin(theta), np.zeros(places), np.cos(theta)], axis=-1)
+    wi, wo = np.tile(lamp, (len(rig.wo), 1)), np.repeat(rig.wo, places, axis=0)
+    times = np.linspace(0, HOURS, scans)
     exact = np.stack([drying_plaster(float(t)).eval(wi, wo) for t in times])
     noisy = exact * (1 + NOISE * rng.standard_normal(exact.shape))
     return Measurement.from_arrays(wi, wo, noisy, times=times, channels=("R", "G", "B"))
 
 
-def measured(work: Callable[[], object], repeat: int) -> dict[str, float]:
-    """Wall and CPU seconds of the fastest of `repeat` calls."""
-    runs = []
-    for _ in range(repeat):
-        wall, cpu = time.perf_counter(), time.process_time()
-        work()
-        runs.append((time.perf_counter() - wall, time.process_time() - cpu))
-    return {"wall_s": min(r[0] for r in runs), "cpu_s": min(r[1] for r in runs)}
-
-
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
-    parser.add_argument("--repeat", type=int, default=3)
-    parser.add_argument("--json", action="store_true")
-    options = parser.parse_args()
-    scans = data()
-    warnings.simplefilter("ignore")
-    motes.fit(scans.at(0), MODEL)  # what is generated and cached on first use
-    results = {
-        "joint, model given": measured(lambda: motes.fit(scans, MODEL), options.repeat),
-        "joint, model chosen": measured(lambda: motes.fit(scans), options.repeat),
-        "12 separate fits": measured(lambda: [motes.fit(scans, MODEL, time=t) for t in range(SCANS)], options.repeat),
+def joint_fits(effort: Effort) -> Section:
+    """Joint and separate fits in turn."""
+    count, places = effort.pick(3, SCANS), effort.pick(8, DIRECTIONS)
+    scans = plaster(count, places)
+    calls: dict[str, tuple[Callable[[], object], float]] = {
+        "given": (lambda: motes.fit(scans, MODEL), 1),
+        "chosen": (lambda: motes.fit(scans), 1),
+        "separate": (lambda: [motes.fit(scans, MODEL, time=t) for t in range(count)], 1),
     }
-    base = results["12 separate fits"]["cpu_s"]
-    if options.json:
-        print(json.dumps({"load": os.getloadavg()[0], "processors": os.cpu_count(), "results": results}))
-        return
-    print(
-        f"{SCANS} scans x {scans.n_directions} directions x 3 channels; load {os.getloadavg()[0]:.1f}, processors {os.cpu_count()}"
+    rounds = effort.pick(1, 3)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        motes.fit(scans.at(0), MODEL)  # what is generated and kept on first use
+        timings = interleaved(calls, rounds, warm=False)
+    figures = {
+        "scans": Number.of([count]),
+        "directions": Number.of([scans.n_directions]),
+        "rounds": Number.of([rounds]),
+    }
+    for name, timing in timings.items():
+        figures |= {
+            f"{name}_wall": timing.seconds,
+            f"{name}_cpu": timing.processor,
+            f"{name}_share": timings["separate"].cheaper_than(timing),
+        }
+    slowest = max(("given", "chosen"), key=lambda name: timings[name].seconds.median)
+    rows = [[label, f"{{{name}_wall}}", f"{{{name}_cpu}}", f"{{{name}_share}}"] for name, label in LABELS.items()]
+    return Section(
+        title="Fits over time",
+        made_by="benchmarks/joint.py, joint_fits()",
+        intro=(
+            "A drying plaster as four cameras see it: {scans:count} scans x {directions:count} pairs of directions x 3 channels, "
+            "2 % noise; medians of {rounds:count} rounds."
+        ),
+        figures=figures,
+        tables=[Table(["", "s, wall", "s of processor", "of the separate fits' processor time"], rows)],
+        goals=[Goal("the slower joint fit", f"{slowest}_wall", GOAL, at_least=False, unit=" s")],
+        reading=[
+            "A joint fit with the model chosen as well takes {chosen_share} times the processor time of as many separate fits as there are scans."
+        ],
     )
-    for name, r in results.items():
-        print(
-            f"{name:22} {r['wall_s']:6.1f} s wall {r['cpu_s']:6.1f} s CPU   {r['cpu_s'] / base:5.2f} of the separate fits' CPU"
-        )
-    slowest = max(r["wall_s"] for name, r in results.items() if name.startswith("joint"))
-    print(f"goal: {GOAL:g} s on two idle cores: {'met' if slowest <= GOAL else 'not met in this run'}")
 
 
 if __name__ == "__main__":
-    main()
+    command(joint_fits, __doc__)

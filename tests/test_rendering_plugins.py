@@ -462,6 +462,19 @@ def test_a_material_at_a_time_and_then_at_another(paint: Path, variant: str) -> 
         assert error(evaluate(mi, bsdf, viewer, light), expected) < 1e-5
 
 
+@pytest.mark.parametrize("variant", ["scalar_rgb", pytest.param("llvm_ad_rgb", marks=needs_llvm)])
+def test_a_material_brighter_than_white(tmp_path: Path, variant: str) -> None:
+    """Measurements of unknown scale give such; what mitsuba.traverse shows is the value itself."""
+    mi = load_mitsuba(variant)
+    model = OrenNayar((3.0, 1.2, 0.2))
+    file = Material(model, channels=("R", "G", "B")).save(tmp_path / "bright.json")
+    bsdf = load_scene({"type": "motes_material", "filename": str(file)})
+    viewer, light = (w[:20] for w in pairs(20))
+    assert error(evaluate(mi, bsdf, viewer, light), reference(model, light, viewer) * light[:, 2:]) < 1e-5
+    for shown in (bsdf, load_scene({"type": "motes_oren_nayar", "K_d": rgb(3.0, 1.2, 0.2)})):
+        assert_allclose(np.array(mi.traverse(shown)["K_d.value"]).ravel(), [3.0, 1.2, 0.2], rtol=1e-6)
+
+
 # ---------------------------------------------------------------- Derivatives
 
 

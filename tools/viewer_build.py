@@ -1,7 +1,7 @@
 """Build the viewer: the types that TypeScript takes from Python, the meshes, the module and the style sheet that ship with Motes.
 
-    python tools/viewer_build.py            types and bundle (Node with npm)
-    python tools/viewer_build.py --shapes   the meshes, too (the extra render)
+python tools/viewer_build.py            types and bundle (Node with npm)
+python tools/viewer_build.py --shapes   the meshes, too (the extra render)
 """
 
 from __future__ import annotations

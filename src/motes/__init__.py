@@ -24,6 +24,7 @@ if TYPE_CHECKING:
         Schlick,
         TorranceSparrow,
     )
+    from motes.viewer.view import View, view
 
 _HOMES = {
     "MotesError": "errors",
@@ -42,6 +43,8 @@ _HOMES = {
     "OrenNayar": "models",
     "Schlick": "models",
     "TorranceSparrow": "models",
+    "View": "viewer",
+    "view": "viewer",
 }
 
 
@@ -71,7 +74,9 @@ __all__ = [
     "OrenNayar",
     "Schlick",
     "TorranceSparrow",
+    "View",
     "fit",
     "load",
     "read",
+    "view",
 ]

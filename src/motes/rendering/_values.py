@@ -152,9 +152,10 @@ class Values:
         return self._color(slot, value)
 
     def _color(self, slot: Slot, color: NDArray[np.float64]) -> Value:
-        """A constant colour; spectra are made of colours up to 1 only, so a larger one is scaled."""
+        """A constant colour, also above 1; spectra are made of colours up to 1 only, so there a larger one is scaled."""
         scale = float(color.max()) if self.mi.is_spectral and color.max() > 1 else 1.0
-        texture = self.mi.load_dict({"type": "rgb", "value": (color / scale).tolist()})
+        scaled = self.mi.ScalarColor3f((color / scale).tolist())
+        texture = self.mi.load_dict({"type": "srgb", "color": scaled, "unbounded": not self.mi.is_spectral})
         return Value(slot, texture, scale)
 
     def _check(self, parameter: Parameter, texture: Any) -> None:

@@ -133,7 +133,9 @@ def slow_note() -> str | None:
     if choice.path is not None:
         return None
     message, hint = _llvm.missing(choice)
-    return f"rendering in {SLOW}, a thousand times slower with Motes' plugins, so small previews only: {message}. {hint}"
+    return (
+        f"rendering in {SLOW}, a thousand times slower with Motes' plugins, so small previews only: {message}. {hint}"
+    )
 
 
 def _imported() -> Any:

@@ -1,0 +1,150 @@
+"""How the fit of a map scales over worker processes, and what a task costs the scheduler.
+
+usage: python benchmarks/scaling.py [--size 384] [--times 4] [--repeat 5] [--tasks 10000] [--json]
+
+Efficiency: a map is fitted by 1 and by 2 workers of one thread in turn, and the ratio is the median time of one over twice the median time of two; kernels
+are compiled and loaded before.  Scheduler: a scheduler in a process of its own hands out tasks that do nothing; its processor time and memory are those the
+kernel counts.  Both on loopback.  The machine must be idle and have two cores free.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any
+
+from motes import maps
+from motes.maps import cluster
+from motes.maps.work import DONE, Outcome
+
+MODEL = "oren_nayar + torrance_sparrow"
+WORKERS = (1, 2)
+
+
+def nothing(path: str, run: str, block: tuple[int, int]) -> Outcome:
+    """A task that does nothing."""
+    return Outcome(block, DONE, 0)
+
+
+def seconds(client: Any, fitted: maps.FittedMap, blocks: list[tuple[int, int]], work: Any = cluster.work_on) -> float:
+    """How long the blocks take on a client's workers."""
+    began = time.perf_counter()
+    outcomes = list(cluster.windowed(client, fitted, blocks, "the benchmark", work))
+    took = time.perf_counter() - began
+    assert len(outcomes) == len(blocks)
+    assert all(outcome.kind == DONE for outcome in outcomes), outcomes
+    return took
+
+
+def efficiency(size: int, times: int, repeat: int) -> dict[str, Any]:
+    """Times with one and with two workers, in turn."""
+    with tempfile.TemporaryDirectory() as folder, ExitStack() as stack:
+        source = maps.simulate_map(Path(folder) / "map.zarr", (size, size), times=times, chunk=64)
+        out = Path(folder) / "fit.zarr"
+        fitted = maps.fit_map(source, MODEL, out=out, block=(64, 64))  # compiles, finds starts
+        reference = fitted.read("K_d").tobytes()
+        blocks = list(fitted.blocks)
+        clients = {n: cluster._client(stack, None, n) for n in WORKERS}
+        for n, client in clients.items():
+            seconds(client, fitted, blocks[: 2 * n])  # loads the kernels
+        taken: dict[int, list[float]] = {n: [] for n in WORKERS}
+        for _ in range(repeat):
+            for n, client in clients.items():
+                taken[n].append(seconds(client, fitted, blocks))
+        assert maps.open_map(out).read("K_d").tobytes() == reference
+        one, two = (statistics.median(taken[n]) for n in WORKERS)
+        fits = size * size * times
+        return {
+            "fits": fits,
+            "blocks": len(blocks),
+            "seconds": taken,
+            "fits_per_second": {n: fits / statistics.median(taken[n]) for n in WORKERS},
+            "efficiency": one / (2 * two),
+        }
+
+
+def scheduler_load(tasks: int) -> dict[str, Any]:
+    """Processor time and memory of a scheduler that hands out tasks that do nothing."""
+    ticks = os.sysconf("SC_CLK_TCK")
+
+    def used(pid: int) -> tuple[float, float]:
+        fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+        return (int(fields[11]) + int(fields[12])) / ticks, int(fields[21]) * os.sysconf("SC_PAGE_SIZE") / 2**20
+
+    with tempfile.TemporaryDirectory() as folder, ExitStack() as stack:
+        source = maps.simulate_map(Path(folder) / "map.zarr", (8, 8), times=1, lights=4)
+        fitted = maps.fit_map(source, "lambert", out=Path(folder) / "fit.zarr")
+        file = Path(folder) / "scheduler.json"
+        # Scheduler and workers import the task from here.
+        environment = {**os.environ, "PYTHONPATH": str(Path(__file__).resolve().parent)}
+        quiet: dict[str, Any] = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "env": environment}
+        common = ["--host", "127.0.0.1", "--no-dashboard", "--scheduler-file", str(file)]
+        dask = [sys.executable, "-m", "dask"]
+        scheduler = subprocess.Popen([*dask, "scheduler", "--port", "0", *common], **quiet)
+        stack.callback(scheduler.wait)
+        stack.callback(scheduler.terminate)
+        while not file.exists():
+            time.sleep(0.1)
+        time.sleep(0.2)
+        address = json.loads(file.read_text())["address"]
+        workers = subprocess.Popen([*dask, "worker", *common, "--nworkers", "2", "--nthreads", "1"], **quiet)
+        stack.callback(workers.wait)
+        stack.callback(workers.terminate)
+        client = cluster._client(stack, address, None)
+        client.wait_for_workers(2, timeout=60)
+        import scaling  # by this name the workers find the task
+
+        seconds(client, fitted, [(0, k) for k in range(100)], scaling.nothing)
+        before, memory_before = used(scheduler.pid)
+        took = seconds(client, fitted, [(1, k) for k in range(tasks)], scaling.nothing)
+        after, memory = used(scheduler.pid)
+    cpu = (after - before) / tasks
+    return {
+        "tasks": tasks,
+        "seconds": took,
+        "tasks_per_second": tasks / took,
+        "scheduler_cpu_ms_per_task": 1000 * cpu,
+        "scheduler_memory_mib": memory,
+        "scheduler_memory_growth_mib": memory - memory_before,
+        "estimated_scheduler_cpu_minutes_for_1e6": 1e6 * cpu / 60,
+        "workers_kept_busy_with_blocks_of_2_s": 2 / cpu,
+    }
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--size", type=int, default=384)
+    parser.add_argument("--times", type=int, default=4)
+    parser.add_argument("--repeat", type=int, default=5)
+    parser.add_argument("--tasks", type=int, default=10_000)
+    parser.add_argument("--json", action="store_true")
+    a = parser.parse_args()
+    result = {"map": efficiency(a.size, a.times, a.repeat), "scheduler": scheduler_load(a.tasks)}
+    if a.json:
+        print(json.dumps(result, indent=1))
+        return
+    m, s = result["map"], result["scheduler"]
+    print(f"{m['fits']:,} fits in {m['blocks']} blocks, workers of one thread, medians of {a.repeat}")
+    for n in WORKERS:
+        print(f"  {n} worker{'s' if n > 1 else ' '}  {m['fits_per_second'][n]:10,.0f} fits/s")
+    print(f"  efficiency from 1 to 2: {m['efficiency']:.2f}")
+    print(f"{s['tasks']:,} tasks that do nothing, 2 workers: {s['tasks_per_second']:,.0f} tasks/s")
+    print(
+        f"  scheduler: {s['scheduler_cpu_ms_per_task']:.2f} ms of processor a task, {s['scheduler_memory_mib']:.0f} MiB"
+    )
+    print(
+        f"  10^6 tasks (estimated): {s['estimated_scheduler_cpu_minutes_for_1e6']:.0f} min of the scheduler's processor"
+    )
+    print(f"  workers that blocks of 2 s keep busy (estimated): {s['workers_kept_busy_with_blocks_of_2_s']:,.0f}")
+
+
+if __name__ == "__main__":
+    main()

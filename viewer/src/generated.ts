@@ -1,0 +1,445 @@
+// Written by tools/viewer_build.py from what Python declares: do not edit.
+
+export interface ParameterDeclaration {
+  kind: 'parameter';
+  name: string;
+  symbol: string;
+  unit: string;
+  meaning: string;
+  value: number;
+  low: number;
+  high: number | null;
+  open: boolean;
+  typical: readonly [number, number];
+  perChannel: boolean;
+  advice: string;
+}
+
+export interface OptionDeclaration {
+  kind: 'option';
+  name: string;
+  value: string;
+  words: readonly string[];
+}
+
+export interface ChildDeclaration {
+  kind: 'child';
+  name: string;
+  accepts: 'brdf' | 'dust' | 'fresnel';
+  value: string | null;
+}
+
+export type FieldDeclaration = ParameterDeclaration | OptionDeclaration | ChildDeclaration;
+
+export interface ModelDeclaration {
+  brdf: boolean;
+  summary: string;
+  fields: readonly FieldDeclaration[];
+}
+
+export const MATERIAL_FORMAT = "motes material";
+export const MATERIAL_VERSION = 1;
+export const LARGEST_MATERIAL = 67108864;
+export const PAYLOAD_VERSION = 1;
+
+export const MODELS: Readonly<Record<string, ModelDeclaration>> = {
+  "lambert": {
+    "brdf": true,
+    "summary": "A matte surface that looks equally bright from everywhere; its directional albedo is ``K_d``.",
+    "fields": [
+      {
+        "kind": "parameter",
+        "name": "K_d",
+        "symbol": "K_d",
+        "unit": "",
+        "meaning": "diffuse reflectance",
+        "value": 0.5,
+        "low": 0,
+        "high": null,
+        "open": false,
+        "typical": [
+          0,
+          1
+        ],
+        "perChannel": true,
+        "advice": ""
+      }
+    ]
+  },
+  "oren_nayar": {
+    "brdf": true,
+    "summary": "V-shaped grooves of Lambertian facets: plaster, clay, cloth, the dry side of paint.",
+    "fields": [
+      {
+        "kind": "parameter",
+        "name": "K_d",
+        "symbol": "K_d",
+        "unit": "",
+        "meaning": "diffuse reflectance of a facet",
+        "value": 0.5,
+        "low": 0,
+        "high": null,
+        "open": false,
+        "typical": [
+          0,
+          1
+        ],
+        "perChannel": true,
+        "advice": ""
+      },
+      {
+        "kind": "parameter",
+        "name": "sigma_d",
+        "symbol": "σ_d",
+        "unit": "rad",
+        "meaning": "standard deviation of the facets' slope angle",
+        "value": 0.3,
+        "low": 0,
+        "high": 1.5707963267948966,
+        "open": false,
+        "typical": [
+          0,
+          1.5707963267948966
+        ],
+        "perChannel": false,
+        "advice": ""
+      }
+    ]
+  },
+  "torrance_sparrow": {
+    "brdf": true,
+    "summary": "Mirror-like facets whose tilt theta_h is distributed as exp(-(theta_h/sigma_s)^2).",
+    "fields": [
+      {
+        "kind": "parameter",
+        "name": "K_s",
+        "symbol": "K_s",
+        "unit": "",
+        "meaning": "strength of the highlight",
+        "value": 0.3,
+        "low": 0,
+        "high": null,
+        "open": false,
+        "typical": [
+          0,
+          1
+        ],
+        "perChannel": true,
+        "advice": ""
+      },
+      {
+        "kind": "parameter",
+        "name": "sigma_s",
+        "symbol": "σ_s",
+        "unit": "rad",
+        "meaning": "width of the distribution of facet normals",
+        "value": 0.15,
+        "low": 0.001,
+        "high": 1.5707963267948966,
+        "open": false,
+        "typical": [
+          0.02,
+          0.8
+        ],
+        "perChannel": false,
+        "advice": ""
+      },
+      {
+        "kind": "option",
+        "name": "normalization",
+        "value": "printed",
+        "words": [
+          "printed",
+          "facets"
+        ]
+      },
+      {
+        "kind": "child",
+        "name": "fresnel",
+        "accepts": "fresnel",
+        "value": null
+      }
+    ]
+  },
+  "dust": {
+    "brdf": true,
+    "summary": "An opaque bed of small particles that scatter once.",
+    "fields": [
+      {
+        "kind": "parameter",
+        "name": "w",
+        "symbol": "w",
+        "unit": "",
+        "meaning": "single-scattering albedo of the dust",
+        "value": 0.6,
+        "low": 0,
+        "high": null,
+        "open": false,
+        "typical": [
+          0,
+          1
+        ],
+        "perChannel": true,
+        "advice": ""
+      },
+      {
+        "kind": "parameter",
+        "name": "g",
+        "symbol": "g",
+        "unit": "",
+        "meaning": "mean cosine of the deviation angle",
+        "value": 0.0,
+        "low": -1,
+        "high": 1,
+        "open": true,
+        "typical": [
+          -0.8,
+          0.8
+        ],
+        "perChannel": false,
+        "advice": "g > 0 scatters forward, g < 0 backward, 0 evenly"
+      },
+      {
+        "kind": "option",
+        "name": "form",
+        "value": "brdf",
+        "words": [
+          "brdf",
+          "brightness"
+        ]
+      }
+    ]
+  },
+  "dust_layer": {
+    "brdf": true,
+    "summary": "A layer of dust of optical thickness ``tau`` over a base (Blinn 1982).",
+    "fields": [
+      {
+        "kind": "child",
+        "name": "base",
+        "accepts": "brdf",
+        "value": null
+      },
+      {
+        "kind": "child",
+        "name": "dust",
+        "accepts": "dust",
+        "value": "dust"
+      },
+      {
+        "kind": "parameter",
+        "name": "tau",
+        "symbol": "τ",
+        "unit": "",
+        "meaning": "optical thickness of the layer",
+        "value": 0.2,
+        "low": 0,
+        "high": null,
+        "open": false,
+        "typical": [
+          0,
+          2
+        ],
+        "perChannel": false,
+        "advice": ""
+      }
+    ]
+  },
+  "dielectric": {
+    "brdf": false,
+    "summary": "Glass, varnish, plastic, water: a real refractive index; exact.",
+    "fields": [
+      {
+        "kind": "parameter",
+        "name": "n",
+        "symbol": "n",
+        "unit": "",
+        "meaning": "refractive index relative to the outside",
+        "value": 1.5,
+        "low": 1,
+        "high": 10,
+        "open": false,
+        "typical": [
+          1.02,
+          4
+        ],
+        "perChannel": true,
+        "advice": "Water 1.33, glass and varnish 1.5, diamond 2.4"
+      }
+    ]
+  },
+  "conductor": {
+    "brdf": false,
+    "summary": "Metals: a complex refractive index n + ik; exact.",
+    "fields": [
+      {
+        "kind": "parameter",
+        "name": "n",
+        "symbol": "n",
+        "unit": "",
+        "meaning": "real part of the refractive index",
+        "value": 1.0,
+        "low": 0.01,
+        "high": 20,
+        "open": false,
+        "typical": [
+          0.05,
+          10
+        ],
+        "perChannel": true,
+        "advice": ""
+      },
+      {
+        "kind": "parameter",
+        "name": "k",
+        "symbol": "k",
+        "unit": "",
+        "meaning": "extinction coefficient",
+        "value": 3.0,
+        "low": 0,
+        "high": 30,
+        "open": false,
+        "typical": [
+          0,
+          15
+        ],
+        "perChannel": true,
+        "advice": ""
+      }
+    ]
+  },
+  "schlick": {
+    "brdf": false,
+    "summary": "Schlick's approximation from the reflectance at normal incidence: one parameter, good for a fit.",
+    "fields": [
+      {
+        "kind": "parameter",
+        "name": "f0",
+        "symbol": "f_0",
+        "unit": "",
+        "meaning": "reflectance at normal incidence",
+        "value": 0.04,
+        "low": 0,
+        "high": 1,
+        "open": false,
+        "typical": [
+          0,
+          1
+        ],
+        "perChannel": true,
+        "advice": ""
+      }
+    ]
+  }
+};
+
+/** A parameter in a material's JSON. */
+export interface ParameterJson {
+  value: unknown;
+  unit: string;
+  meaning: string;
+}
+
+/** A material as `motes.Material.to_dict` gives it. */
+export interface MaterialJson {
+  format: string;
+  version: number;
+  name: string;
+  model: string;
+  parameters: Record<string, ParameterJson>;
+  channels: string[];
+  wavelengths_nm: number[];
+  trends: Record<string, unknown>;
+  time_unit: string;
+  conventions: Record<string, string>;
+  about: Record<string, unknown>;
+}
+
+/** A uniform of a printed shader: its parameter, and how many numbers it holds (1: a float; else a vec3 or an array). */
+export interface UniformView {
+  name: string;
+  slot: string;
+  size: number;
+}
+
+/** A printed shader: ``name_with(wi, wo, ...)`` takes the uniforms' values in this order. */
+export interface ShaderView {
+  source: string;
+  name: string;
+  uniforms: UniformView[];
+  channels: number;
+}
+
+/** What each scan said of a parameter on its own; None where it does not determine it. */
+export interface ScansView {
+  hours: number[];
+  values: ((number | null)[])[];
+  stderr: ((number | null)[])[];
+}
+
+/** A parameter over the hours of a `TimeView`: values and one standard error, (T, W); None where it is not known. */
+export interface TrendView {
+  kind: string;
+  values: number[][];
+  stderr: ((number | null)[])[] | null;
+  scans: ScansView | null;
+}
+
+/** Trends, evaluated by Python at these times [h]; between them the page takes straight lines. */
+export interface TimeView {
+  hours: number[];
+  interval: [number, number];
+  trends: Record<string, TrendView>;
+}
+
+/** A material: its JSON, its printed shader, its course in time, and how its channels become linear sRGB (C, 3). */
+export interface MaterialView {
+  json: MaterialJson;
+  shader: ShaderView;
+  time: TimeView | null;
+  to_srgb: number[][];
+  color: string;
+}
+
+/** Measured points. Arrays are base64 of little-endian float32: wi, wo (N, 3), values (T, N, C) with NaN where masked. */
+export interface MeasurementView {
+  name: string;
+  channels: string[];
+  hours: number[];
+  time_unit: string;
+  count: number;
+  total: number;
+  wi: string;
+  wo: string;
+  values: string;
+  note: string;
+}
+
+/** A mesh. Base64 of little-endian numbers: positions uint16 (V, 3) between low and high, normals int16 (V, 3) over 32767, triangles uint16 (F, 3), dust uint8 (V,) over 255: the share of what settles on a level, open surface. */
+export interface ShapeView {
+  name: string;
+  low: [number, number, number];
+  high: [number, number, number];
+  positions: string;
+  normals: string;
+  triangles: string;
+  dust: string;
+}
+
+/** The meshes of the page; and the share of dust that stays on an open surface whose normal makes an angle with up, at equal steps of the angle from 0 to 180 degrees. */
+export interface ShapesView {
+  shapes: ShapeView[];
+  dust_by_inclination: number[];
+}
+
+/** All that a page or a widget gets. */
+export interface Payload {
+  format: 'motes view';
+  version: number;
+  motes: string;
+  materials: MaterialView[];
+  measurement: MeasurementView | null;
+  notes: string[];
+  library: Record<string, ShaderView>;
+  shapes: ShapesView;
+}

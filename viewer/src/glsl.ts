@@ -1,0 +1,119 @@
+// The fragment shaders around a printed BRDF: one that shades a mesh, one that evaluates lists of directions.
+
+import type { Material, Values } from './material';
+
+/** Uniforms of a material's parameters. */
+export function uniformValues(material: Material, values: Values): Record<string, { value: number | number[] }> {
+  return Object.fromEntries(
+    material.shader.uniforms.map((uniform) => {
+      const value = values[uniform.slot]!;
+      return [uniform.name, { value: uniform.size === 1 ? value[0]! : [...value] }];
+    }),
+  );
+}
+
+/** `motes_eval_with(wi, wo, ...)` of the uniforms; the layer's tau times `share` where the material has one. */
+function call(material: Material, share: string, output: string): string {
+  const given = material.shader.uniforms.map((uniform) => (share && uniform.slot === material.tau ? `${uniform.name} * ${share}` : uniform.name));
+  return `${material.shader.name}_with(${['wi', 'wo', ...given, ...(output ? [output] : [])].join(', ')})`;
+}
+
+const spectral = (material: Material): boolean => material.shader.channels !== 1 && material.shader.channels !== 3;
+
+/** `vec3 reflected(vec3 wi, vec3 wo, float share)`: the BRDF in linear sRGB. */
+function reflected(material: Material): string {
+  const { channels } = material.shader;
+  const rows = material.toSrgb.map((row) => `vec3(${row.map((x) => x.toPrecision(9)).map((x) => (/[.e]/.test(x) ? x : `${x}.0`)).join(', ')})`);
+  const head = 'vec3 reflected(vec3 wi, vec3 wo, float share) {';
+  if (channels === 1) return `${head}\n  return ${call(material, 'share', '')};\n}`;
+  if (channels === 3) return `${head}\n  vec3 f = ${call(material, 'share', '')};\n  return f.x * ${rows[0]} + f.y * ${rows[1]} + f.z * ${rows[2]};\n}`;
+  return [
+    `const vec3 TO_SRGB[${channels}] = vec3[${channels}](${rows.join(', ')});`,
+    head,
+    `  float f[${channels}];`,
+    `  ${call(material, 'share', 'f')};`,
+    '  vec3 sum = vec3(0.0);',
+    `  for (int k = 0; k < ${channels}; ++k) sum += f[k] * TO_SRGB[k];`,
+    '  return sum;',
+    '}',
+  ].join('\n');
+}
+
+export const SHADE_VERTEX = /* glsl */ `
+in float dust;
+out vec3 vPosition;
+out vec3 vNormal;
+out float vDust;
+void main() {
+  vPosition = position;
+  vNormal = normal;
+  vDust = dust;
+  gl_Position = projectionMatrix * viewMatrix * vec4(position, 1.0);
+}`;
+
+/** A point lamp, and directions drawn from the environment, each with its radiance over its density. */
+export function shadeFragment(material: Material): string {
+  return /* glsl */ `
+${material.shader.source}
+${reflected(material)}
+uniform vec3 lampPosition;
+uniform float lampStrength;
+uniform sampler2D skyDirections;
+uniform int skyFirst;
+uniform int skyCount;
+uniform float skyStrength;
+uniform float painted;
+in vec3 vPosition;
+in vec3 vNormal;
+in float vDust;
+out vec4 color;
+const float PI = 3.14159265358979;
+const float GRAZING = 0.01;
+void main() {
+  vec3 normal = normalize(gl_FrontFacing ? vNormal : -vNormal);
+  vec3 view = normalize(cameraPosition - vPosition);
+  vec3 side = normalize(cross(abs(normal.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0), normal));
+  mat3 frame = transpose(mat3(side, cross(normal, side), normal));
+  vec3 wo = frame * view;
+  // Interpolated normals may turn away from the eye at an outline: such a point is seen at grazing.
+  wo = normalize(vec3(wo.xy, max(wo.z, GRAZING)));
+  float share = mix(1.0, vDust, painted);
+  vec3 toLamp = lampPosition - vPosition;
+  float squared = dot(toLamp, toLamp);
+  vec3 wi = frame * (toLamp * inversesqrt(squared));
+  // lampStrength: the radiance of a white diffuser at the middle that faces the lamp.
+  vec3 sum = wi.z > 0.0 ? reflected(wi, wo, share) * (PI * lampStrength * dot(lampPosition, lampPosition) / squared * wi.z) : vec3(0.0);
+  vec3 sky = vec3(0.0);
+  for (int k = skyFirst; k < skyFirst + skyCount; ++k) {
+    int at = 2 * k;
+    wi = frame * texelFetch(skyDirections, ivec2(at & 255, at >> 8), 0).xyz;
+    if (wi.z > 0.0) sky += reflected(wi, wo, share) * wi.z * texelFetch(skyDirections, ivec2((at + 1) & 255, at >> 8), 0).xyz;
+  }
+  if (skyCount > 0) sum += sky * (skyStrength / float(skyCount));
+  color = vec4(sum, 1.0);
+}`;
+}
+
+export const FULL_VERTEX = /* glsl */ `
+void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }`;
+
+/** Values for lists of directions: four channels a pass from `firstChannel` on. */
+export function probeFragment(material: Material): string {
+  const { channels } = material.shader;
+  const body = spectral(material)
+    ? `float f[${channels}];\n  ${call(material, '', 'f')};\n  for (int k = 0; k < 4; ++k) if (firstChannel + k < ${channels}) found[k] = f[firstChannel + k];`
+    : `found.xyz = ${call(material, '', '')};`;
+  return /* glsl */ `
+${material.shader.source}
+uniform sampler2D toLight;
+uniform sampler2D toViewer;
+uniform int firstChannel;
+out vec4 value;
+void main() {
+  vec3 wi = texelFetch(toLight, ivec2(gl_FragCoord.xy), 0).xyz;
+  vec3 wo = texelFetch(toViewer, ivec2(gl_FragCoord.xy), 0).xyz;
+  vec4 found = vec4(0.0);
+  ${body}
+  value = found;
+}`;
+}
