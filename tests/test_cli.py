@@ -725,6 +725,7 @@ def test_every_command_and_option_is_documented() -> None:
             "render",
             "simulate",
             "stack",
+            "view",
         }
     )
     for name, options in known.items():

@@ -117,6 +117,19 @@ def test_the_payload_says_what_the_shader_needs() -> None:
     json.dumps(shown, allow_nan=False)
 
 
+def test_scans_come_from_the_fit_beside_a_material() -> None:
+    """What each scan said, out of a fit.json; one that is damaged shows nothing of it, and is no error."""
+    entry = {"scan_values": [[0.5], [0.3], [None]], "scan_stderr": [[0.01], [None], [None]]}
+    fitted = {"hours": [0.0, 3.0, 6.0], "trends": {"K_s": entry}}
+    shown = payload([drying()], fit=fitted)["materials"][0]["time"]["trends"]
+    assert shown["K_s"]["scans"] == {"hours": fitted["hours"], "values": entry["scan_values"], "stderr": entry["scan_stderr"]}  # fmt: skip
+    assert shown["tau"]["scans"] is None
+    damages = ({"hours": "x"}, {"hours": [0.0]}, {"trends": []}, {"trends": {"K_s": 1}}, {"trends": {"K_s": {**entry, "scan_values": "no"}}})  # fmt: skip
+    for damage in damages:
+        shown = payload([drying()], fit={**fitted, **damage})["materials"][0]["time"]["trends"]
+        assert shown["K_s"]["scans"] is None
+
+
 def test_a_layer_over_a_base_is_a_layer_over_a_lambertian_of_its_value() -> None:
     """What lets the page put dust over any base: DustLayer(base) = DustLayer(Lambert(pi f_base))."""
     rng = np.random.default_rng(1)

@@ -122,7 +122,8 @@ class Viewed:
         return self
 
     def complete(self) -> Viewed:
-        """Wait for the picture to be finished."""
+        """Wait for the picture to be finished, in few large frames: what is drawn is the same, and the frames' own cost is saved."""
+        self.js("void (app.picture.batch = 64)")
         self.settled().wait("app.picture.complete && !app.plotsDue", "the finished picture")
         return self
 

@@ -1,13 +1,15 @@
 """Write the example page of the viewer and the pictures of it, for the README and docs/viewer.md.
 
-    python tools/viewer_pictures.py
+    python tools/viewer_pictures.py              the page and the pictures
+    python tools/viewer_pictures.py --pictures   the pictures of the page that is there
 
-A simulated plaster, fitted; needs chromium and playwright. PNG files are reduced to 256 colours each.
+A simulated plaster, fitted; needs chromium and playwright.
 """
 
 from __future__ import annotations
 
 import shutil
+import sys
 import tempfile
 import time
 from pathlib import Path
@@ -32,11 +34,17 @@ PATIENCE = 300.0
 
 def main() -> None:
     """See the module."""
+    if "--pictures" not in sys.argv[1:]:
+        example()
+    photograph()
+
+
+def example() -> None:
+    """The example page."""
     with tempfile.TemporaryDirectory() as folder:
         data = motes.read(simulate(Path(folder) / "plaster", drying_plaster, scans=12, name="Drying plaster"))
     fit = motes.fit(data, model="dust_layer(oren_nayar + torrance_sparrow)")
     motes.view(fit).save(EXAMPLE)
-    photograph()
 
 
 def photograph() -> None:
@@ -61,7 +69,7 @@ def photograph() -> None:
             page.screenshot(path=raw)
             page.close()
             with replacing(PICTURES / f"{name}.png") as temporary:
-                Image.open(raw).convert("RGB").quantize(256).save(temporary, "PNG", optimize=True)
+                Image.open(raw).convert("RGB").save(temporary, "PNG", optimize=True)
         browser.close()
 
 

@@ -19,7 +19,7 @@ export interface Line {
 }
 
 const [WIDE, HIGH] = [360, 210];
-const MARGIN = { left: 46, right: 10, top: 10, bottom: 34 };
+const MARGIN = { left: 52, right: 10, top: 10, bottom: 34 };
 
 export class Chart {
   readonly svg: SVGSVGElement;
@@ -56,7 +56,7 @@ export class Chart {
     }
     this.body.append(
       s('text', { x: (MARGIN.left + this.width - MARGIN.right) / 2, y: this.height - 4, class: 'label', 'text-anchor': 'middle' }, x.label),
-      s('text', { x: 11, y: (MARGIN.top + bottom) / 2, class: 'label', 'text-anchor': 'middle', transform: `rotate(-90 11 ${(MARGIN.top + bottom) / 2})` }, y.label),
+      s('text', { x: 10, y: (MARGIN.top + bottom) / 2, class: 'label', 'text-anchor': 'middle', transform: `rotate(-90 10 ${(MARGIN.top + bottom) / 2})` }, y.label),
     );
   }
 

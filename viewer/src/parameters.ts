@@ -35,7 +35,7 @@ export class Parameters {
       for (const { slider, channel } of sliders) slider.show(channel === null ? mean(value) / (mean(slot.value) || 1) : value[channel]!, byHand);
       const follows = material.time?.trends[slot.name];
       state.classList.toggle('own', byHand);
-      state.textContent = byHand ? (follows ? 'set by hand, no longer follows time' : 'set by hand') : follows ? `follows time: ${follows.kind.replaceAll('_', ' ')}` : '';
+      state.textContent = byHand ? ` · set by hand${follows ? ', no longer follows time' : ''}` : follows ? ` · follows time: ${follows.kind.replaceAll('_', ' ')}` : '';
     }
   }
 
@@ -44,7 +44,7 @@ export class Parameters {
     this.rows = material.slots.map((slot) => this.row(material, slot));
     this.element.replaceChildren(
       ...this.rows.map(({ slot, sliders, state }) =>
-        h('div', { class: 'motes-parameter', role: 'group', 'aria-label': `${slot.name}: ${slot.declared.meaning}` }, ...sliders.map(({ slider }) => slider.element), h('p', { class: 'motes-meaning' }, `${slot.declared.meaning}, ${range(slot)} `, state)),
+        h('div', { class: 'motes-parameter', role: 'group', 'aria-label': `${slot.name}: ${slot.declared.meaning}` }, ...sliders.map(({ slider }) => slider.element), h('p', { class: 'motes-meaning' }, `${slot.declared.meaning}, ${range(slot)}`, state)),
       ),
     );
   }

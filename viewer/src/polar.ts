@@ -82,7 +82,7 @@ export class Polar {
       const [tx, ty] = point(radians(angle), RADIUS + 15);
       parts.push(s('line', { x1: CX, y1: CY, x2: x, y2: y, class: 'grid' }), s('text', { x: tx, y: ty + 4, class: 'tick', 'text-anchor': 'middle' }, `${Math.abs(angle)}°`));
     }
-    parts.push(s('text', { x: 6, y: CY + 13, class: 'tick' }, 'light'), s('text', { x: WIDTH - 6, y: CY + 13, class: 'tick', 'text-anchor': 'end' }, 'mirror side'));
+    parts.push(s('text', { x: 6, y: CY + 26, class: 'tick' }, 'light'), s('text', { x: WIDTH - 6, y: CY + 26, class: 'tick', 'text-anchor': 'end' }, 'mirror side'));
     return parts;
   }
 
