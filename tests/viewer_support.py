@@ -141,6 +141,8 @@ class Viewed:
 
     def pixels(self) -> NDArray[np.uint8]:
         """What the canvas shows after the next full frame, (H, W, 4), the top row first."""
+        # A change of the state is drawn from the next animation frame on.
+        self.js("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(0))))")
         self.wait("!app.plotsDue && !app.picture.moved && app.picture.frame > 0")
         data = self.js("app.canvas.toDataURL('image/png')")
         return decoded(base64.b64decode(data.partition(",")[2]))
