@@ -129,7 +129,12 @@ def test_terms_multiply_out_to_the_formula() -> None:
     graph = tracing.Graph()
     x, y, p, q = (graph.leaf(name) for name in "xypq")
     leaves = {x: DIRECTIONS, y: DIRECTIONS, p: PARAMETERS, q: PARAMETERS}
-    formula = (p * x + 2 * q * y) * (q - p) / (1 + q) - graph.exp(-(x * p)) * y / x + graph.where(x < y, p * x, q * x)
+    formula = (
+        (p * x + 2 * q * y) * (q - p) / (1 + q)
+        - graph.exp(-(x * p)) * y / x
+        + graph.where(x < y, p * x, q * x)
+        + (-(p * q)) * (x + p * y)
+    )
     (formula,) = separation.gathered([formula], leaves)
     terms = separation.terms(formula, tracing.dependence([formula], leaves))
     total = graph.constant(0.0)

@@ -107,7 +107,7 @@ def terms(output: Symbol, bits: Mapping[Symbol, int]) -> Terms:
     Parameters
     ----------
     output
-        A formula.
+        A formula, `gathered` (negations are factors then).
     bits
         Of every symbol, see `motes.tracing.dependence`; symbols without the bit `DIRECTIONS` can be factors.
     """
@@ -125,8 +125,6 @@ def _terms(symbol: Symbol, known: Mapping[Symbol, Terms], bits: Mapping[Symbol, 
         return {factors: graph.constant(number)}
     if bit == DIRECTIONS:
         return {(): symbol}
-    if op == "neg":
-        return {key: -value for key, value in known[args[0]].items()}
     if op in ("add", "sub"):
         total = dict(known[args[0]])
         for key, value in known[args[1]].items():
@@ -162,9 +160,6 @@ def _factors(symbol: Symbol) -> tuple[float, tuple[Symbol, ...]]:
     """A symbol as a number times factors that are not products."""
     if symbol.op == "constant":
         return float(symbol.value), ()
-    if symbol.op == "neg":
-        number, factors = _factors(symbol.args[0])
-        return -number, factors
     if symbol.op == "mul":
         (m, a), (n, b) = (_factors(x) for x in symbol.args)
         return m * n, _ordered((*a, *b))

@@ -188,7 +188,9 @@ class _Writer:
             return b.call(function, args)
         if op in ("exp", "expm1"):
             return self._exponential(op, args[0])
-        raise NotImplementedError(f"vectors of {op}")  # no formula has one between directions and parameters
+        raise ValueError(
+            f"no vector instructions are known for {op}"
+        )  # asin belongs to directions, which NumPy computes
 
     def _exponential(self, op: str, x: Any) -> Any:
         """As ``exp`` and ``expm1`` of `motes.codegen.elementary`, which says how."""
