@@ -34,3 +34,21 @@ def shared() -> Callable[[str], Path]:
 def shared_file(shared: Callable[[str], Path]) -> Callable[[str], Path]:
     """``shared_file("curet/abrdf.dat")``: the same, for the measurements in ../shared/data."""
     return lambda name: shared(f"data/{name}")
+
+
+@pytest.fixture
+def motes(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> Callable[..., tuple[int, str, str]]:
+    """``motes("fit", path)``: exit status, standard output and standard error, in an empty folder."""
+    from motes.cli import main
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.delenv("MOTES_DEBUG", raising=False)
+
+    def run(*arguments: object) -> tuple[int, str, str]:
+        status = main([str(a) for a in arguments])
+        captured = capsys.readouterr()
+        return status, captured.out, captured.err
+
+    return run

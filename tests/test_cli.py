@@ -18,7 +18,7 @@ from motes._cli import paths
 from motes._cli.demo import true_trends
 from motes.ageing import PHENOMENA, Rig, age, simulate
 from motes.ageing.plaster import TRENDS
-from motes.cli import main, make_app
+from motes.cli import make_app
 from motes.errors import MotesError
 from motes.trends import Trend
 
@@ -26,20 +26,6 @@ DOCS = Path(__file__).resolve().parents[1] / "docs" / "cli.md"
 ROCK = OrenNayar(K_d=(0.6, 0.5, 0.4), sigma_d=0.3) + TorranceSparrow(K_s=0.3, sigma_s=0.15)
 
 Run = Callable[..., tuple[int, str, str]]
-
-
-@pytest.fixture
-def motes(capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Run:
-    """``motes("fit", path)``: exit status, standard output and standard error, in an empty folder."""
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.delenv("MOTES_DEBUG", raising=False)
-
-    def run(*arguments: object) -> tuple[int, str, str]:
-        status = main([str(a) for a in arguments])
-        captured = capsys.readouterr()
-        return status, captured.out, captured.err
-
-    return run
 
 
 @pytest.fixture(scope="session")

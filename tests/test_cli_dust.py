@@ -26,12 +26,12 @@ from motes.rendering._ply import write
 from motes.rendering.deposition import deposit
 from motes.rendering.meshes import read_mesh
 from motes.rendering.shapes import plane, sphere
-from rendering_support import Run, message, motes  # noqa: F401 (a fixture)
+from rendering_support import Run, message
 
 SECONDS = 120
 
 
-def test_a_sphere_gets_dust_on_top(motes: Run) -> None:  # noqa: F811
+def test_a_sphere_gets_dust_on_top(motes: Run) -> None:
     ball = sphere(12)
     write("ball.ply", ball)
     status, out, err = motes("dust", "ball.ply", "--days", 30, "--set", "noise=0", "--rays", 64)
@@ -46,7 +46,7 @@ def test_a_sphere_gets_dust_on_top(motes: Run) -> None:  # noqa: F811
     assert b"comment tau of dust after 30 days" in Path("ball-dusty.ply").read_bytes()
 
 
-def test_what_can_be_said_is_passed_on(motes: Run) -> None:  # noqa: F811
+def test_what_can_be_said_is_passed_on(motes: Run) -> None:
     write("cover.ply", plane(1, size=0.5).moved(shift=(0, 0.2, 0)))
     options = ("--growth-per-day", 0.01, "--refine", 1, "--stroke", "1,0,0,1,0,1,0.2", "--seed", 3, "--rays", 32)
     status, out, err = motes("dust", "plane", "--days", 10, *options, "--shelter", "cover.ply", "--json", "-o", "a.ply")
@@ -68,7 +68,7 @@ def test_what_can_be_said_is_passed_on(motes: Run) -> None:  # noqa: F811
     assert json.loads(tilted[1])["tau"]["max"] == 0  # dust that comes from below
 
 
-def test_the_dust_of_a_material_is_used(motes: Run) -> None:  # noqa: F811
+def test_the_dust_of_a_material_is_used(motes: Run) -> None:
     age(Lambert(K_d=0.4), "dust", hours=240, tau_growth=0.7).save("slate.json")
     status, out, _ = motes("dust", "plane", "--days", 5, "--material", "slate.json", "--rays", 8, "--json")
     assert status == 0
@@ -76,7 +76,7 @@ def test_the_dust_of_a_material_is_used(motes: Run) -> None:  # noqa: F811
     assert Path("plane-dusty.ply").is_file()
 
 
-def test_a_texture_is_written(motes: Run) -> None:  # noqa: F811
+def test_a_texture_is_written(motes: Run) -> None:
     options = ("--set", "noise=0", "--rays", 16, "--texture-size", 32)
     status, out, err = motes("dust", "teapot", "--days", 20, *options, "-o", "tau.exr")
     assert (status, err) == (0, "")
@@ -87,7 +87,7 @@ def test_a_texture_is_written(motes: Run) -> None:  # noqa: F811
     assert picture.min() == 0
 
 
-def test_what_was_mended_is_said(motes: Run) -> None:  # noqa: F811
+def test_what_was_mended_is_said(motes: Run) -> None:
     Path("a.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 0 -1\nf 1 2 3\nf 1 1 2\n")
     status, out, _ = motes("dust", "a.obj", "--days", 1, "--rays", 4)
     assert status == 0
@@ -124,7 +124,7 @@ def test_what_was_mended_is_said(motes: Run) -> None:  # noqa: F811
         (("flat.obj", "--days", 1), "no triangle with an area"),
     ],
 )
-def test_wrong_usage_is_a_sentence_and_a_hint(motes: Run, arguments: tuple[object, ...], words: str) -> None:  # noqa: F811
+def test_wrong_usage_is_a_sentence_and_a_hint(motes: Run, arguments: tuple[object, ...], words: str) -> None:
     Material(Lambert()).save("plain.json")
     Path("nan.obj").write_text("v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
     Path("flat.obj").write_text("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")

@@ -19,7 +19,6 @@ pytest.importorskip("zarr")
 
 import maps_support as support
 from motes import maps, read
-from motes.cli import main
 
 Run = Callable[..., tuple[int, str, str]]
 SECONDS = 120
@@ -29,20 +28,6 @@ MOTES = (sys.executable, "-m", "motes.cli")
 @pytest.fixture(scope="module")
 def paint(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return maps.simulate_map(tmp_path_factory.mktemp("maps") / "paint.zarr", (24, 16), times=4, lights=8, chunk=8).path
-
-
-@pytest.fixture
-def motes(capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Run:
-    """``motes("fit", path)``: exit status, standard output and standard error, in an empty folder."""
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.delenv("MOTES_DEBUG", raising=False)
-
-    def run(*arguments: object) -> tuple[int, str, str]:
-        status = main([str(a) for a in arguments])
-        captured = capsys.readouterr()
-        return status, captured.out, captured.err
-
-    return run
 
 
 def refused(result: tuple[int, str, str], *words: str) -> None:

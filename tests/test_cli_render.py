@@ -29,7 +29,7 @@ from motes.errors import MotesError
 from motes.rendering._ply import write
 from motes.rendering.films import read_radiance
 from motes.rendering.shapes import sphere
-from rendering_support import Run, message, motes  # noqa: F401 (a fixture)
+from rendering_support import Run, message
 
 SECONDS = 240
 QUICK = ("--size", 48, "--samples", 4)
@@ -45,7 +45,7 @@ def picture(path: str) -> np.ndarray:
 
 
 @pytest.fixture(autouse=True)
-def materials(motes: Run) -> None:  # noqa: F811
+def materials(motes: Run) -> None:
     """In the folder of the test: a red surface, a blue one, and the red one that gathers dust and one that dries."""
     RED.save("red.json")
     BLUE.save("blue.json")
@@ -56,7 +56,7 @@ def materials(motes: Run) -> None:  # noqa: F811
 # ---------------------------------------------------------------- pictures
 
 
-def test_a_material_is_rendered(motes: Run) -> None:  # noqa: F811
+def test_a_material_is_rendered(motes: Run) -> None:
     status, out, err = motes("render", "red.json", *QUICK, "-o", "red.png")
     assert (status, err) == (0, "")
     shown = picture("red.png")
@@ -71,7 +71,7 @@ def test_a_material_is_rendered(motes: Run) -> None:  # noqa: F811
     assert sorted(p.name for p in Path().iterdir()) == ["blue.json", "drying.json", "dusty.json", "red.json", "red.png"]
 
 
-def test_materials_stand_side_by_side(motes: Run) -> None:  # noqa: F811
+def test_materials_stand_side_by_side(motes: Run) -> None:
     status, out, _ = motes("render", "red.json", "blue.json", *QUICK, "--no-labels", "--json", "-o", "both.png")
     assert status == 0
     told = json.loads(out)
@@ -82,7 +82,7 @@ def test_materials_stand_side_by_side(motes: Run) -> None:  # noqa: F811
     assert shown[24, 76, 2] > shown[24, 76, 0] + 50
 
 
-def test_materials_and_times_make_a_table(motes: Run) -> None:  # noqa: F811
+def test_materials_and_times_make_a_table(motes: Run) -> None:
     arguments = ("red.json", "dusty.json", "--scene", "grid", "--time", "0,2.5,5,10d", *QUICK, "--json")
     status, out, _ = motes("render", *arguments, "-o", "table.png")
     assert status == 0
@@ -99,7 +99,7 @@ def test_materials_and_times_make_a_table(motes: Run) -> None:  # noqa: F811
     assert greenness[-1] > greenness[0] + 0.2
 
 
-def test_radiance_is_written_without_tone_mapping(motes: Run) -> None:  # noqa: F811
+def test_radiance_is_written_without_tone_mapping(motes: Run) -> None:
     assert motes("render", "red.json", "blue.json", *QUICK, "-o", "both.exr")[0] == 0
     radiance = read_radiance(Path("both.exr"))
     assert radiance.shape == (48, 96, 3)
@@ -116,7 +116,7 @@ def test_radiance_is_written_without_tone_mapping(motes: Run) -> None:  # noqa: 
     assert np.abs(picture("b.png")[:, :48] - srgb_encode(2 * radiance[:, :48]).astype(int)).max() <= 2
 
 
-def test_every_scene_is_rendered(motes: Run, tmp_path: Path) -> None:  # noqa: F811
+def test_every_scene_is_rendered(motes: Run, tmp_path: Path) -> None:
     from motes.rendering import load_mitsuba
 
     mi = load_mitsuba()
@@ -145,7 +145,7 @@ XML = """<scene version="3.0.0">
 """
 
 
-def test_a_scene_of_mitsuba_takes_the_material(motes: Run) -> None:  # noqa: F811
+def test_a_scene_of_mitsuba_takes_the_material(motes: Run) -> None:
     Path("room.xml").write_text(XML)
     arguments = ("--scene", "room.xml", "--samples", 16, "--time", "0,10h", "--no-labels", "--quiet", "-o", "room.png")
     assert motes("render", "drying.json", *arguments) == (0, "", "")
@@ -168,7 +168,7 @@ def test_a_scene_of_mitsuba_takes_the_material(motes: Run) -> None:  # noqa: F81
 # ---------------------------------------------------------------- dust that settles
 
 
-def test_deposited_dust_lies_on_top(motes: Run) -> None:  # noqa: F811
+def test_deposited_dust_lies_on_top(motes: Run) -> None:
     shots = {}
     for name, options in {"even": (), "settled": ("--deposit", "--set", "noise=0")}.items():
         arguments = ("dusty.json", "--time", "10d", "--size", 64, "--samples", 16, *options)
@@ -181,13 +181,13 @@ def test_deposited_dust_lies_on_top(motes: Run) -> None:  # noqa: F811
     assert redness["even"][side].mean() < 1.6
 
 
-def test_dust_is_laid_on_what_has_none(motes: Run) -> None:  # noqa: F811
+def test_dust_is_laid_on_what_has_none(motes: Run) -> None:
     status, out, _ = motes("render", "red.json", "--deposit", "--wind", "x", "--time", "0,5d", *QUICK, "-o", "a.png")
     assert status == 0
     assert "the material has no dust; that of the phenomenon lies on it, tau to 0.5 in the open" in out
 
 
-def test_a_mesh_brings_its_dust(motes: Run) -> None:  # noqa: F811
+def test_a_mesh_brings_its_dust(motes: Run) -> None:
     assert motes("dust", "bunny", "--days", 400, "--rays", 32, "--quiet", "-o", "bunny.ply") == (0, "", "")
     status, out, _ = motes("render", "red.json", "--scene", "bunny.ply", *QUICK, "-o", "dusty.png")
     assert status == 0
@@ -199,7 +199,7 @@ def test_a_mesh_brings_its_dust(motes: Run) -> None:  # noqa: F811
 
 
 @pytest.mark.parametrize(("value", "words"), [(np.nan, "not finite"), (-0.5, "negative"), (1e9, "huge")])
-def test_a_mesh_with_an_impossible_tau_is_explained(motes: Run, value: float, words: str) -> None:  # noqa: F811
+def test_a_mesh_with_an_impossible_tau_is_explained(motes: Run, value: float, words: str) -> None:
     ball = sphere(6)
     tau = np.zeros(len(ball.positions))
     tau[7] = value
@@ -213,7 +213,7 @@ def test_a_mesh_with_an_impossible_tau_is_explained(motes: Run, value: float, wo
 # ---------------------------------------------------------------- films
 
 
-def test_a_film_shows_what_changes(motes: Run) -> None:  # noqa: F811
+def test_a_film_shows_what_changes(motes: Run) -> None:
     status, out, err = motes("render", "drying.json", "--time", "0:10h:5", *QUICK, "--fps", 10, "-o", "drying.gif")
     assert (status, err) == (0, "")
     assert "5 frames" in out
@@ -229,7 +229,7 @@ def test_a_film_shows_what_changes(motes: Run) -> None:  # noqa: F811
     assert not list(Path().glob("*.frames-*"))
 
 
-def test_a_film_spans_the_time_that_the_material_has(motes: Run) -> None:  # noqa: F811
+def test_a_film_spans_the_time_that_the_material_has(motes: Run) -> None:
     status, out, _ = motes(
         "render", "drying.json", "--size", 16, "--samples", 1, "--json", "--keep-frames", "-o", "a.mp4"
     )
@@ -244,7 +244,7 @@ def test_a_film_spans_the_time_that_the_material_has(motes: Run) -> None:  # noq
     assert not folder.exists()
 
 
-def test_an_interrupted_film_goes_on_where_it_was(motes: Run, tmp_path: Path) -> None:  # noqa: F811
+def test_an_interrupted_film_goes_on_where_it_was(motes: Run, tmp_path: Path) -> None:
     arguments = ["render", "drying.json", "--time", "0:10h:400", *map(str, QUICK), "-o", "film.gif"]
     process = subprocess.Popen(
         [sys.executable, "-m", "motes.cli", *arguments],
@@ -289,7 +289,7 @@ def test_an_interrupted_film_goes_on_where_it_was(motes: Run, tmp_path: Path) ->
 # ---------------------------------------------------------------- measured materials
 
 
-def test_a_measured_material_stands_beside_its_fit(motes: Run, shared: Callable[[str], Path]) -> None:  # noqa: F811
+def test_a_measured_material_stands_beside_its_fit(motes: Run, shared: Callable[[str], Path]) -> None:
     silk = shared("data/rgl/vch_silk_blue_rgb.bsdf")
     status, out, err = motes(
         "render", "--compare", silk, "-m", "oren_nayar + torrance_sparrow", "--size", 64, "--samples", 16, "-o", "a.exr"
@@ -345,7 +345,7 @@ def test_a_measured_material_stands_beside_its_fit(motes: Run, shared: Callable[
         (("red.json", "--scene", "room.xml", "--deposit"), "cannot be deposited"),
     ],
 )
-def test_what_is_wrong_is_a_sentence_and_a_hint(motes: Run, arguments: tuple[object, ...], words: str) -> None:  # noqa: F811
+def test_what_is_wrong_is_a_sentence_and_a_hint(motes: Run, arguments: tuple[object, ...], words: str) -> None:
     Path("nan.obj").write_text("v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
     Path("flat.obj").write_text("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")
     Path("text.binary").write_text("hello")
