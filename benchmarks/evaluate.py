@@ -16,7 +16,8 @@ import numpy as np
 import machine
 import rivals
 import roof
-from motes import MotesError, engine
+from motes import MotesError
+from motes.kernels import engine
 from results import Effort, Goal, Number, Section, Table, command
 from rivals import PARAMETERS, SURFACE, Rows, directions
 from timing import Timing, interleaved

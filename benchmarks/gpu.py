@@ -13,7 +13,8 @@ import numpy as np
 import machine
 import rivals
 from evaluate import check
-from motes import MotesError, engine
+from motes import MotesError
+from motes.kernels import engine
 from results import Effort, Number, Section, Table, command
 from rivals import SURFACE
 from timing import interleaved

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 import machine
 import texels
-from motes import engine
+from motes.kernels import engine
 from results import Effort, Goal, Number, Section, Table, command
 from rivals import SURFACE, directions
 from timing import Timing, interleaved

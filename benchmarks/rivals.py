@@ -15,11 +15,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from motes import Dust, DustLayer, MotesError, OrenNayar, TorranceSparrow, tracing, workers
+from motes import Dust, DustLayer, MotesError, OrenNayar, TorranceSparrow, workers
 from motes.arrays import NUMPY
-from motes.codegen import numpy as numpy_code
-from motes.codegen.printer import statements
 from motes.directions import Geometry, Vector
+from motes.graph import tracing
+from motes.kernels import numpy as numpy_code
+from motes.printing.printer import statements
 
 SURFACE = DustLayer(
     OrenNayar(K_d=(0.8, 0.7, 0.6), sigma_d=0.4) + TorranceSparrow(K_s=0.3, sigma_s=0.15),

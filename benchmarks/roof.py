@@ -15,7 +15,8 @@ from numba.core import types
 from numba.extending import intrinsic
 from numpy.typing import NDArray
 
-from motes import engine, workers
+from motes import workers
+from motes.kernels import engine
 
 LANES = 8  # float32 in a vector of 32 bytes; narrower machines take it in parts
 CHUNK = 65_536

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 import rivals
-from motes import engine
+from motes.kernels import engine
 from results import Effort, Number, Section, Table, command
 from rivals import SURFACE
 from timing import Timing, interleaved
@@ -25,7 +25,7 @@ COMMANDS = {
     "python": ["-c", "pass"],
     "numpy": ["-c", "import numpy"],
     "motes": ["-c", "import motes"],
-    "help": ["-m", "motes.cli", "--help"],
+    "help": ["-m", "motes.cli.main", "--help"],
     "numba": ["-c", "import numba"],
 }
 LABELS = {
@@ -39,7 +39,7 @@ FIRST_CALL = """
 import time
 import numba
 import numpy as np
-from motes import engine
+from motes.kernels import engine
 from rivals import SURFACE  # beside this file
 up = np.array([[0, 0, 1]], np.float32)
 start = time.perf_counter()

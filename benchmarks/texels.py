@@ -17,8 +17,8 @@ from scipy.optimize import least_squares
 
 import machine
 import motes
-from motes.codegen.numpy import residual_function
 from motes.fitting.texels import Raw, TexelFit, TexelSolver
+from motes.kernels.numpy import residual_function
 from results import Effort, Goal, Number, Section, Table, command
 from rivals import SURFACE, cores
 from texel_cases import CHANNELS, DIRECTIONS, FITTED, HELD, WI, WO, Case, Floats, Series

@@ -38,8 +38,8 @@ print(
 if out is not None:
     from matplotlib.figure import Figure
 
-    from motes.report.color import srgb_encode
-    from motes.report.sphere import render_sphere
+    from motes.drawing.colour import srgb_encode
+    from motes.drawing.sphere import render_sphere
 
     out.mkdir(parents=True, exist_ok=True)
     print("material:", mean.save(out / "rusting.json"))

@@ -41,7 +41,7 @@ def motes(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> Callable[..., tuple[int, str, str]]:
     """``motes("fit", path)``: exit status, standard output and standard error, in an empty folder."""
-    from motes.cli import main
+    from motes.cli.main import main
 
     monkeypatch.chdir(tmp_path)
     monkeypatch.delenv("MOTES_DEBUG", raising=False)

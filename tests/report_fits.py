@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 
 from motes.directions import from_spherical
+from motes.drawing.sphere import evaluate
 from motes.fitting.result import Fit, FittedParameter, Status, Trial, Verdict
 from motes.material import Material
 from motes.measurements import Measurement
 from motes.models import BRDF, describe
-from motes.report.sphere import evaluate
 
 
 def goniometer(

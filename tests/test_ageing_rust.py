@@ -14,7 +14,7 @@ from motes.ageing.rust import MEAN_K_D, MEAN_R, MEAN_SPECULAR, MEAN_TIMES, contr
 from motes.directions import from_spherical
 from motes.errors import ParameterError
 from motes.material import load
-from motes.measurements.maps import ParameterMaps
+from motes.measurements.parameter_maps import ParameterMaps
 
 
 def small(seed: int = 0) -> ParameterMaps:

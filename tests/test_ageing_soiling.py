@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 import motes
-from motes.ageing import _xlsx
-from motes.ageing.soiling import Series, Soiling, cleanings, fit_soiling, growth, read_soiling, slant
 from motes.directions import from_spherical
 from motes.errors import DataError, FormatError, ParameterError
 from motes.material import Material
+from motes.soiling import spreadsheet as _xlsx
+from motes.soiling.mirrors import Series, Soiling, cleanings, fit_soiling, growth, read_soiling, slant
 
 THETA = np.deg2rad(15)
 NOISE = 0.0006

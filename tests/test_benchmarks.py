@@ -20,7 +20,8 @@ import pytest
 pytest.importorskip("numba")
 pytest.importorskip("scipy")
 
-from motes import Lambert, MotesError, OrenNayar, engine
+from motes import Lambert, MotesError, OrenNayar
+from motes.kernels import engine
 
 ROOT = Path(__file__).resolve().parents[1]
 BENCHMARKS = ROOT / "benchmarks"

@@ -14,11 +14,11 @@ import numpy as np
 import pytest
 
 from motes import Dust, DustLayer, Lambert, Material, OrenNayar, TorranceSparrow, load, read
-from motes._cli import paths
-from motes._cli.demo import true_trends
 from motes.ageing import PHENOMENA, Rig, age, simulate
 from motes.ageing.plaster import TRENDS
-from motes.cli import make_app
+from motes.cli import paths
+from motes.cli.demo_command import true_trends
+from motes.cli.main import make_app
 from motes.errors import MotesError
 from motes.trends import Trend
 
@@ -115,7 +115,7 @@ def test_fit_holds_and_splits_parameters(motes: Run, rock: Path) -> None:
 
 @pytest.mark.parametrize("option", ["--loss", "--robust", "--weights"])
 def test_choices_are_those_of_the_library(option: str) -> None:
-    from motes._cli.fit import fit
+    from motes.cli.fit_command import fit
     from motes.fitting.losses import LOSSES, ROBUST
 
     known = {"--loss": LOSSES, "--robust": ROBUST, "--weights": {"measurement": 0, "uniform": 0}}[option]

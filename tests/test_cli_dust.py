@@ -21,11 +21,11 @@ if (
 
 from motes import Lambert, Material
 from motes.ageing import age
+from motes.meshes.mesh import read_mesh
+from motes.meshes.ply import write
+from motes.meshes.shapes import plane, sphere
 from motes.rendering import load_mitsuba
-from motes.rendering._ply import write
 from motes.rendering.deposition import deposit
-from motes.rendering.meshes import read_mesh
-from motes.rendering.shapes import plane, sphere
 from rendering_support import Run, message
 
 SECONDS = 120
@@ -136,7 +136,7 @@ def test_wrong_usage_is_a_sentence_and_a_hint(motes: Run, arguments: tuple[objec
 
 
 def test_an_interrupt_leaves_nothing(tmp_path: Path) -> None:
-    command = [sys.executable, "-m", "motes.cli", "dust", "bunny", "--days", "9", "--rays", "65536"]
+    command = [sys.executable, "-m", "motes.cli.main", "dust", "bunny", "--days", "9", "--rays", "65536"]
     process = subprocess.Popen(
         command,
         cwd=tmp_path,

@@ -10,9 +10,9 @@ import pytest
 
 import motes
 from motes import Material
-from motes._cli.export import To
 from motes.ageing import age
-from motes.cli import USAGE, main
+from motes.cli.export_command import To
+from motes.cli.main import USAGE, main
 from motes.exports import TARGETS
 from shader_support import MODELS
 

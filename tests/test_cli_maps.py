@@ -22,7 +22,7 @@ from motes import maps, read
 
 Run = Callable[..., tuple[int, str, str]]
 SECONDS = 120
-MOTES = (sys.executable, "-m", "motes.cli")
+MOTES = (sys.executable, "-m", "motes.cli.main")
 
 
 @pytest.fixture(scope="module")

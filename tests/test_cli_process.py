@@ -18,7 +18,7 @@ import pytest
 from motes import Lambert
 from motes.ageing import Rig, drying_plaster, simulate
 
-MOTES = (sys.executable, "-m", "motes.cli")
+MOTES = (sys.executable, "-m", "motes.cli.main")
 SECONDS = 120  # after which a command counts as hung; none takes more than a few
 
 HEADER = "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg,grey\n"
@@ -284,14 +284,14 @@ HEAVY = {
 
 def test_help_loads_no_numpy() -> None:
     # It takes longer to import than everything that --help needs.
-    assert "numpy" not in modules("-m", "motes.cli", "--help")
+    assert "numpy" not in modules("-m", "motes.cli.main", "--help")
 
 
 def test_help_and_version_import_little() -> None:
-    imported = modules("-m", "motes.cli", "--help")
+    imported = modules("-m", "motes.cli.main", "--help")
     assert not HEAVY & imported
     assert not {"motes.fitting", "motes.measurements", "motes.report"} & imported
-    assert "cyclopts" not in modules("-m", "motes.cli", "--version")
+    assert "cyclopts" not in modules("-m", "motes.cli.main", "--version")
 
 
 def test_importing_the_package_is_light() -> None:

@@ -23,12 +23,12 @@ if (
 from PIL import Image
 
 from motes import Lambert, Material, OrenNayar, TorranceSparrow
-from motes._cli.render import hours_of
 from motes.ageing import age
+from motes.cli.render_command import hours_of
 from motes.errors import MotesError
-from motes.rendering._ply import write
+from motes.meshes.ply import write
+from motes.meshes.shapes import sphere
 from motes.rendering.films import read_radiance
-from motes.rendering.shapes import sphere
 from rendering_support import Run, message
 
 SECONDS = 240
@@ -106,7 +106,7 @@ def test_radiance_is_written_without_tone_mapping(motes: Run) -> None:
     assert np.isfinite(radiance).all()
     motes("render", "red.json", "blue.json", *QUICK, "--tone", "clip", "--no-labels", "-o", "both.png")
     shown = picture("both.png")[:, :48]
-    from motes.report.color import srgb_encode
+    from motes.drawing.colour import srgb_encode
 
     assert np.abs(shown - srgb_encode(radiance[:, :48]).astype(int)).max() <= 1  # half floats between them
     brighter = motes(
@@ -247,7 +247,7 @@ def test_a_film_spans_the_time_that_the_material_has(motes: Run) -> None:
 def test_an_interrupted_film_goes_on_where_it_was(motes: Run, tmp_path: Path) -> None:
     arguments = ["render", "drying.json", "--time", "0:10h:400", *map(str, QUICK), "-o", "film.gif"]
     process = subprocess.Popen(
-        [sys.executable, "-m", "motes.cli", *arguments],
+        [sys.executable, "-m", "motes.cli.main", *arguments],
         cwd=tmp_path,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
@@ -392,7 +392,7 @@ def test_without_llvm_the_preview_is_small_and_says_so(tmp_path: Path) -> None:
         "import sys; from pathlib import Path\n"
         "from motes.rendering import _llvm\n"
         "_llvm.candidates = lambda: [Path('/nonexistent/libLLVM.so')]\n"
-        "from motes.cli import main\n"
+        "from motes.cli.main import main\n"
         "sys.exit(main(sys.argv[1:]))\n"
     )
     command = [sys.executable, "-c", script, "render", "red.json", "--samples", "1", "--json", "-o", "a.png"]

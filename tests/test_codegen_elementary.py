@@ -1,4 +1,4 @@
-"""exp, expm1 and asin of generated kernels: the errors that `motes.codegen.elementary` states, and the edges of the domain."""
+"""exp, expm1 and asin of generated kernels: the errors that `motes.printing.elementary` states, and the edges of the domain."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 numba = pytest.importorskip("numba")
 
-from motes.codegen import elementary  # noqa: E402
-from motes.codegen.numba import functions  # noqa: E402
+from motes.kernels.numba import functions  # noqa: E402
+from motes.printing import elementary  # noqa: E402
 
 STATED = {
     "exp": 1.5,

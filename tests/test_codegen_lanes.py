@@ -5,12 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from motes import tracing
 from motes.arrays import NUMPY
-from motes.codegen import levenberg, normal, separation
-from motes.codegen.levenberg import packed
+from motes.fitting import levenberg
+from motes.fitting.levenberg import packed
+from motes.fitting.printed import normal
+from motes.graph import separation, tracing
+from motes.graph.tracing import DIRECTIONS, PARAMETERS
 from motes.models import parse
-from motes.tracing import DIRECTIONS, PARAMETERS
 
 
 def _traced(text: str, channels: int, fitted: list[str] | None = None) -> tuple[tracing.Trace, normal.Traced]:
@@ -225,7 +226,7 @@ def test_vectors_compute_what_numpy_does() -> None:
     numba = pytest.importorskip("numba")
     from numba.extending import intrinsic
 
-    from motes.codegen import vectors
+    from motes.kernels import vectors
 
     program = """x box out
 a0 = row x D 0

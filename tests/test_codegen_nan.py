@@ -13,14 +13,15 @@ from engine_support import cache_folder  # noqa: F401 (a fixture)
 
 pytest.importorskip("numba")
 
-from motes import engine, tracing
 from motes.arrays import Array
-from motes.codegen.nan import careful
 from motes.directions import Geometry
+from motes.graph import tracing
+from motes.graph.nan import careful
+from motes.graph.tracing import Graph
+from motes.kernels import engine
 from motes.models import BRDF
 from motes.models.base import Component
 from motes.parameters import parameter
-from motes.tracing import Graph
 
 
 def test_a_minimum_that_is_seen_needs_care() -> None:

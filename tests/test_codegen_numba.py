@@ -11,8 +11,8 @@ from catalogue import ENTRIES
 
 pytest.importorskip("numba")
 
-from motes import tracing
-from motes.codegen import numba as numba_code
+from motes.graph import tracing
+from motes.kernels import numba as numba_code
 from motes.models import Dust, DustLayer, Lambert, OrenNayar, TorranceSparrow
 
 DUSTY = next(entry.model for entry in ENTRIES if entry.name == "dust_layer")

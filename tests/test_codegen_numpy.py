@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 from catalogue import ENTRIES, SPECIAL_WI, SPECIAL_WO, Entry, reference, upper_directions
-from motes.codegen.numpy import residual_function
+from motes.kernels.numpy import residual_function
 from motes.models import BRDF, DustLayer, Lambert, OrenNayar, TorranceSparrow
 
 entries = pytest.mark.parametrize("entry", ENTRIES, ids=str)

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 import motes.equations
-from motes.codegen import glsl as glsl_language
-from motes.codegen.names import record
 from motes.errors import ParameterError
 from motes.exports import c, glsl, hlsl, wgsl
 from motes.models import Dielectric, Lambert, OrenNayar
+from motes.printing import glsl as glsl_language
+from motes.printing.names import record
 from shader_support import MODELS, SPECTRAL
 
 ALL = MODELS | {"spectral": SPECTRAL}

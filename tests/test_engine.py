@@ -18,11 +18,12 @@ from golden import appendices
 
 pytest.importorskip("numba")
 
-from motes import engine, workers
+from motes import workers
 from motes.arrays import namespace
-from motes.codegen.numba import TILE
 from motes.directions import Geometry, Vector
 from motes.errors import DataError, ParameterError
+from motes.kernels import engine
+from motes.kernels.numba import TILE
 from motes.models import BRDF, Dust, DustLayer, Lambert, OrenNayar, TorranceSparrow
 
 BY_NAME = {entry.name: entry for entry in ENTRIES}

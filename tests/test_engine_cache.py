@@ -13,7 +13,7 @@ import pytest
 
 pytest.importorskip("numba")
 
-from motes import engine
+from motes.kernels import engine
 from motes.models import Lambert
 
 UP = np.array([[0.0, 0.0, 1.0]])
@@ -90,7 +90,7 @@ def test_a_folder_that_cannot_be_made_is_done_without(
 ) -> None:
     sentences = said(monkeypatch)
     fresh.write_text("a file where the folder would be")
-    with caplog.at_level(logging.INFO, logger="motes.engine"):
+    with caplog.at_level(logging.INFO, logger="motes.kernels.engine"):
         assert evaluated() == pytest.approx(EXPECTED, rel=1e-15)
     assert f"the cache folder {fresh} cannot be used" in caplog.text
     assert sentences == [f"compiling the evaluation of Lambert in float64 once (not kept: {fresh} cannot be used)"]
@@ -129,7 +129,7 @@ def test_a_failed_write_leaves_nothing_behind(fresh: Path, monkeypatch: pytest.M
 def test_two_processes_may_compile_the_same_kernel(fresh: Path) -> None:
     program = """
 import numpy as np
-from motes import engine
+from motes.kernels import engine
 from motes.models import Lambert
 up = np.array([[0.0, 0.0, 1.0]])
 print(float(engine.evaluate(Lambert(0.5), up, up).item()))
@@ -150,6 +150,6 @@ print(float(engine.evaluate(Lambert(0.5), up, up).item()))
 
 
 def test_importing_motes_does_not_import_numba() -> None:
-    program = "import sys, motes, motes.engine; print('numba' in sys.modules)"
+    program = "import sys, motes, motes.kernels.engine; print('numba' in sys.modules)"
     output = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout
     assert output.strip() == "False"

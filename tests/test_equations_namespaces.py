@@ -18,8 +18,8 @@ import golden
 from catalogue import jax_in_float64
 from golden import Rows
 from golden.equations import EQUATIONS, Equation
-from motes import tracing
 from motes.arrays import NUMPY, namespace
+from motes.graph import tracing
 
 Column = NDArray[np.float64]
 

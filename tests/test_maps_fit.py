@@ -19,8 +19,8 @@ from motes import maps, read
 from motes.errors import DataError, FormatError, MotesError
 from motes.fitting import fit
 from motes.fitting.texels import TexelSolver
-from motes.maps import exr
 from motes.maps import plan as plans
+from motes.maps import staf_layout as exr
 from motes.maps.comparison import compare, quartiles
 from motes.maps.work import fit_block, write_block
 from motes.measurements import Measurement, ParameterMaps

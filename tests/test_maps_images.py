@@ -15,10 +15,10 @@ import contextlib
 
 import measurement_files as files
 from motes import maps
+from motes.drawing.colour import srgb_encode
 from motes.errors import DataError, FormatError, MotesError
-from motes.maps import _png
+from motes.images import png as _png
 from motes.maps.images import picture, srgb_decode
-from motes.report.color import srgb_encode
 
 PAETH = 4
 

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 
 import golden
 from catalogue import ENTRIES, SPECIAL, SPECIAL_WI, SPECIAL_WO, Entry, dense_albedo, direction, parts, upper_directions
-from motes import engine
 from motes.errors import DataError, ParameterError
+from motes.kernels import engine
 from motes.models import BRDF, Dust, DustLayer, Fresnel, Lambert, OrenNayar, Sum, TorranceSparrow
 from motes.models.expressions import FRESNEL, MODELS
 from motes.parameters import Parameter

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scipy.stats import chi2
 
 from catalogue import COAT, ENTRIES, Entry, direction, upper_directions
-from motes import engine
+from motes.kernels import engine
 from motes.models import BRDF, Lambert, Sampled, TorranceSparrow
 
 ANGLES = (0.0, 0.9, 1.4)

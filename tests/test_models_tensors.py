@@ -23,9 +23,9 @@ from catalogue import (
     reference,
     upper_directions,
 )
-from motes import tracing
 from motes.arrays import NUMPY, namespace
 from motes.directions import Geometry, Vector
+from motes.graph import tracing
 from motes.models import BRDF, OrenNayar
 
 every_entry = pytest.mark.parametrize("entry", ENTRIES, ids=str)

@@ -27,7 +27,7 @@ def test_rooms_import_one_way() -> None:
 
 def test_the_command_is_the_entry_point_of_the_package() -> None:
     (entry,) = (e for e in metadata.entry_points(group="console_scripts") if e.name == "motes")
-    from motes.cli import main
+    from motes.cli.main import main
 
     assert entry.load() is main
 

@@ -22,12 +22,12 @@ if (
 ):  # not importorskip: Dr.Jit chooses its LLVM when it is imported, and Motes must come first
     pytest.skip("mitsuba is not installed", allow_module_level=True)
 
+from motes.meshes.mesh import Mesh, read_mesh, with_normals
+from motes.meshes.shapes import plane, sphere, teapot
+from motes.meshes.subdivision import refine
 from motes.rendering.baking import bake, write_texture
 from motes.rendering.deposition import SETTLING, checked_tau, deposit, falling, hold, open_tau
-from motes.rendering.meshes import Mesh, read_mesh, with_normals
 from motes.rendering.noise import cloudy, gradient_noise
-from motes.rendering.shapes import plane, sphere, teapot
-from motes.rendering.subdivision import refine
 from motes.rendering.wiping import Stroke, look_up, read_mask
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -349,7 +349,7 @@ import sys
 load_mitsuba(sys.argv[1])
 from motes.rendering.deposition import deposit
 from motes.rendering.baking import bake
-from motes.rendering.shapes import sphere, plane
+from motes.meshes.shapes import sphere, plane
 found = deposit(sphere(6), rays=8, wind=(1, 0, 0), noise=0, rubbed_by=plane(1))
 print(*found.share.round(6).tolist())
 print(*bake(plane(2), 4, rays=4).deposit.share.round(6).tolist())
@@ -367,7 +367,7 @@ print(*bake(plane(2), 4, rays=4).deposit.share.round(6).tolist())
 
 
 def test_a_mesh_with_dust_comes_back_from_its_file(tmp_path: Path) -> None:
-    from motes.rendering._ply import write
+    from motes.meshes.ply import write
 
     pot = teapot(4)
     tau = deposit(pot, rays=16).tau(0.3)

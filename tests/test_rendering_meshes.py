@@ -12,10 +12,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from motes.errors import FormatError, MotesError
-from motes.rendering import _ply
-from motes.rendering.meshes import Mesh, face_normals, read_mesh, turn_to_y, with_normals
-from motes.rendering.shapes import SHAPES, bunny, plane, sphere, teapot
-from motes.rendering.subdivision import loop, refine
+from motes.meshes import ply as _ply
+from motes.meshes.mesh import Mesh, face_normals, read_mesh, turn_to_y, with_normals
+from motes.meshes.shapes import SHAPES, bunny, plane, sphere, teapot
+from motes.meshes.subdivision import loop, refine
 
 BOX = """# a unit cube, eight vertices, no normals
 v 0 0 0

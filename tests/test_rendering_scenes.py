@@ -18,6 +18,8 @@ if (
 ):  # not importorskip: Dr.Jit chooses its LLVM when it is imported, and Motes must come first
     pytest.skip("mitsuba is not installed", allow_module_level=True)
 
+from motes.meshes.mesh import Mesh
+from motes.meshes.shapes import plane, sphere
 from motes.rendering import load_mitsuba, load_scene
 from motes.rendering.films import (
     forget,
@@ -29,10 +31,8 @@ from motes.rendering.films import (
     write_radiance,
 )
 from motes.rendering.measured import measured_bsdf, table
-from motes.rendering.meshes import Mesh
 from motes.rendering.panels import columns_for, sheet
 from motes.rendering.scenes import NAMES, Subject, on_stage, preview, subject
-from motes.rendering.shapes import plane, sphere
 from motes.rendering.tonemap import OPERATORS, neutral, picture, stated
 
 SECONDS = 120

@@ -19,7 +19,7 @@ from motes.fitting.result import Status, Verdict
 from motes.fitting.tables import with_error
 from motes.measurements import Measurement
 from motes.report import write_time_report
-from motes.report.over_time import SECTIONS, changes, render
+from motes.report.time_page import SECTIONS, changes, render
 from motes.report.time_plots import Times, narrowed, relative_rms
 from motes.trends import Trend
 from report_fits import goniometer

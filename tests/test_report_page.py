@@ -20,7 +20,7 @@ from motes.directions import from_spherical
 from motes.fitting.result import Fit, Status, Verdict
 from motes.measurements import Measurement
 from motes.report import write_report
-from motes.report.page import render
+from motes.report.fit_page import render
 from report_fits import as_fit, goniometer, measured
 
 VOID = {"meta", "img", "br", "hr", "link", "image"}

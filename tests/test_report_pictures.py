@@ -9,12 +9,12 @@ import pytest
 
 from motes import Dielectric, Dust, Lambert, OrenNayar, TorranceSparrow
 from motes.directions import frame, from_spherical
+from motes.drawing.colour import channels_to_srgb, diverging, png, sequential, srgb_encode, xyz_bar
+from motes.drawing.markup import Html, escape, join, tag
+from motes.drawing.svg import Panel, Scale, number
 from motes.measurements import Measurement
 from motes.report import render_sphere, sphere_radiance
-from motes.report.color import channels_to_srgb, diverging, png, sequential, srgb_encode, xyz_bar
-from motes.report.markup import Html, escape, join, tag
 from motes.report.slices import Samples, distinct_angles, grows, incidence_groups, near_mirror, polar_slices
-from motes.report.svg import Panel, Scale, number
 from report_fits import as_fit, goniometer, measured
 
 # ---------------------------------------------------------------- colour

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from catalogue import ENTRIES, SPECIAL_WI, SPECIAL_WO, Entry, upper_directions
-from motes import tracing
 from motes.arrays import NUMPY, is_foreign, namespace
 from motes.directions import Geometry, Vector
+from motes.graph import tracing
+from motes.graph.tracing import Graph, Symbol
 from motes.models import DustLayer, Lambert, OrenNayar, TorranceSparrow
-from motes.tracing import Graph, Symbol
 
 entries = pytest.mark.parametrize("entry", ENTRIES, ids=str)
 

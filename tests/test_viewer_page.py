@@ -15,19 +15,19 @@ import numpy as np
 import pytest
 
 import motes
-from motes.cli import main
+from motes.cli.main import main
 from motes.directions import from_spherical
 from motes.errors import DataError, MissingExtraError, ParameterError
 from motes.material import Material
 from motes.measurements import Measurement
+from motes.meshes import shapes as originals
 from motes.models import Lambert, parse
 from motes.models.expressions import FRESNEL, MODELS
 from motes.parameters import Parametrised
-from motes.rendering import shapes as originals
 from motes.viewer import declarations, library, shapes
 from motes.viewer.page import page, policy, safe_json
 from motes.viewer.payload import MOST_DIRECTIONS, payload
-from motes.viewer.view import View, view
+from motes.viewer.viewing import View, view
 from viewer_support import DUSTY, ROCK, SOURCES, STATIC, drying, measured, node
 
 EVIL = "</script><script>alert(1)</script><!-- \N{LINE SEPARATOR} & \udc80"

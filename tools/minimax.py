@@ -1,4 +1,4 @@
-"""Derive the polynomials of `motes.codegen.elementary`: minimax fits (Remez) in 40-digit arithmetic, then rounded.
+"""Derive the polynomials of `motes.printing.elementary`: minimax fits (Remez) in 40-digit arithmetic, then rounded.
 
     python tools/minimax.py            # prints the tables that elementary.py holds
 

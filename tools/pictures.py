@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 
 import motes
 from motes.ageing.plaster import drying_plaster
-from motes.report.sphere import render_sphere
+from motes.drawing.sphere import render_sphere
 
 SIZE = 320
 HOURS = (0.0, 1.0, 2.0, 3.0, 6.0, 24.0)

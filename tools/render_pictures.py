@@ -19,13 +19,13 @@ from numpy.typing import NDArray
 
 import motes
 from motes.ageing import PHENOMENA, age, rusting_material
+from motes.meshes.shapes import SHAPES
 from motes.rendering import load_mitsuba
 from motes.rendering.films import read_radiance, write_picture
 from motes.rendering.panels import sheet
 from motes.rendering.passes import Look, rendered
 from motes.rendering.pictures import render
 from motes.rendering.scenes import Subject, on_stage, preview, subject
-from motes.rendering.shapes import SHAPES
 from motes.rendering.tonemap import picture
 
 SAMPLES = 100  # 10 x 10 strata

@@ -24,8 +24,8 @@ from motes import maps
 from motes.ageing.rust import highlight_strength
 from motes.directions import from_spherical
 from motes.maps.comparison import compare
-from motes.maps.exr import staf_area
 from motes.maps.simulated import fill
+from motes.maps.staf_layout import staf_area
 
 MODEL = "lambert + torrance_sparrow"
 LIGHTS, NEAR, FAR = 80, 25.0, 75.0  # degrees
@@ -194,7 +194,7 @@ def draw(path: Path, fitted: maps.FittedMap, true: dict[str, Floats]) -> None:
     from matplotlib.figure import Figure
     from PIL import Image
 
-    from motes.report.color import srgb_encode
+    from motes.drawing.colour import srgb_encode
 
     times = [round(t * (len(fitted.hours) - 1)) for t in SHOWN]
     step = max(1, fitted.shape[0] // PANEL)

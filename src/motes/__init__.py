@@ -6,7 +6,7 @@ Names are imported when first used, so that ``import motes`` is light and ``mote
 from importlib import import_module
 from typing import TYPE_CHECKING
 
-__version__ = "0.1.0"
+from motes.version import __version__
 
 if TYPE_CHECKING:
     from motes.errors import MotesError
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
         Schlick,
         TorranceSparrow,
     )
-    from motes.viewer.view import View, view
+    from motes.viewer.viewing import View, view
 
 _HOMES = {
     "MotesError": "errors",
@@ -75,6 +75,7 @@ __all__ = [
     "Schlick",
     "TorranceSparrow",
     "View",
+    "__version__",
     "fit",
     "load",
     "read",

@@ -25,10 +25,10 @@ from typing import Any, Self, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from motes import tracing
 from motes.arrays import Array
-from motes.codegen.numpy import scalar_function
 from motes.errors import DataError, ParameterError
+from motes.graph import tracing
+from motes.kernels.numpy import scalar_function
 
 Floats = NDArray[np.float64]
 

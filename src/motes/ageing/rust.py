@@ -2,7 +2,8 @@ r"""Rusting iron: time-varying materials out of maps of polynomials (STAF), of o
 
 .. math::  f = D/\pi + K_s \rho_s, \quad \sigma_s = R, \quad K_s = S / (\pi R^2 (1 - e^{-1/R^2}))
 
-for the maps D, S, R (Diffuse, Specular, Roughness); see `motes.measurements.maps`.  D and R are cubics and stay cubics; K_s, a quotient, is tabulated.
+for the maps D, S, R (Diffuse, Specular, Roughness); see `motes.measurements.parameter_maps`.
+D and R are cubics and stay cubics; K_s, a quotient, is tabulated.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from numpy.typing import NDArray
 
 from motes.errors import ParameterError
 from motes.material import Material
-from motes.measurements.maps import ParameterMaps
+from motes.measurements.parameter_maps import ParameterMaps
 from motes.models import Lambert, TorranceSparrow
 from motes.trends import AnyTrend, Floats, Tabulated, Trend
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from motes.codegen import c
 from motes.errors import ParameterError
 from motes.exports.shaders import Prepared, Shader, about, checked_name, heading, prefix_of, prepare, uniforms_of
 from motes.models import BRDF
+from motes.printing import c
 
 SCALARS = ("float", "double")
 

@@ -44,7 +44,7 @@ def write(moments: Sequence[tuple[float | None, Subject]], path: Path) -> list[P
     moments
         Hours and the material then; the hours are None for a material that does not change.
     """
-    from motes import __version__
+    from motes.version import __version__
 
     first = moments[0][1]
     angles = grid()

@@ -8,10 +8,10 @@ The text goes behind ``#version`` and, in a fragment shader, before ``main``.  I
 
 from __future__ import annotations
 
-from motes.codegen import glsl
 from motes.errors import ParameterError
 from motes.exports.shaders import Shader, about, checked_name, heading, prefix_of, prepare, uniforms_of
 from motes.models import BRDF
+from motes.printing import glsl
 
 VERSIONS = ("300 es", "450")
 

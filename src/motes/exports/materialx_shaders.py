@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from motes.codegen import glsl as glsl_language
-from motes.codegen import osl as osl_language
-from motes.codegen.language import comment, indented
 from motes.exports.approximation import Lobe, lobes, losses, through, written
 from motes.exports.shaders import Prepared, heading
 from motes.exports.subject import Subject
+from motes.printing import glsl as glsl_language
+from motes.printing import osl as osl_language
+from motes.printing.language import comment, indented
 
 _FRAME = """vec3 tangent = normalize(cross(abs(N.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0), N));
 vec3 bitangent = cross(N, tangent);

@@ -11,12 +11,12 @@ from pathlib import Path
 
 import numpy as np
 
+from motes.drawing.colour import channels_to_srgb
 from motes.errors import DataError
 from motes.exports.subject import Subject
 from motes.files import replacing
 from motes.measurements._angles import half_difference_grid
 from motes.measurements.merl import FULL, SCALE
-from motes.report.color import channels_to_srgb
 
 SUFFIX = ".binary"
 CHUNK = 50_000  # directions at a time

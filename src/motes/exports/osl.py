@@ -7,8 +7,6 @@ nearest (see `motes.exports.approximation`), for rendering.
 
 from __future__ import annotations
 
-from motes.codegen.language import indented
-from motes.codegen.osl import LANGUAGE
 from motes.exports.approximation import Lobe, lobes, losses, through, written
 from motes.exports.shaders import (
     Prepared,
@@ -22,6 +20,8 @@ from motes.exports.shaders import (
 )
 from motes.models import BRDF
 from motes.parameters import Slot
+from motes.printing.language import indented
+from motes.printing.osl import LANGUAGE
 
 
 def shader(

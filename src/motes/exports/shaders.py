@@ -9,14 +9,15 @@ from typing import Any
 
 import numpy as np
 
-from motes import equations, tracing
-from motes.codegen.language import Language, comment
-from motes.codegen.names import Recording, record
-from motes.codegen.shading import define
+from motes import equations
 from motes.errors import ParameterError
+from motes.graph import tracing
 from motes.material import CONVENTIONS
 from motes.models import BRDF, describe
 from motes.parameters import Parameter, Slot
+from motes.printing.language import Language, comment
+from motes.printing.names import Recording, record
+from motes.printing.shading import define
 
 LONGEST_NAME = 80
 #: More channels than this are no shader: a table serves better.
@@ -94,7 +95,7 @@ class Prepared:
         return values if slot.name in self.split else values[0]
 
     def definition(self, language: Language, name: str, prefix: str) -> list[str]:
-        """Lines that define a function of ``wi, wo`` and the parameters; see `motes.codegen.shading.define`."""
+        """Lines that define a function of ``wi, wo`` and the parameters; see `motes.printing.shading.define`."""
         return define(self.recording, language, name=name, prefix=prefix, split=self.split, channels=self.channels)
 
 
@@ -193,7 +194,7 @@ def source_of_equations() -> str:
 
 def heading(prepared: Prepared, title: str, language: str, notes: Sequence[str] = ()) -> list[str]:
     """The lines of comment at the top of a shader."""
-    from motes import __version__
+    from motes.version import __version__
 
     model = describe(prepared.model)
     lines = [

@@ -7,11 +7,11 @@ from pathlib import Path
 
 import numpy as np
 
-from motes.codegen.language import comment
 from motes.exports import glsl
 from motes.exports.shaders import heading, plain, prepare
 from motes.exports.subject import Subject, as_rgb
 from motes.files import write_text
+from motes.printing.language import comment
 
 SUFFIX = ".js"
 _MODULE = Path(__file__).with_name("three_material.js")

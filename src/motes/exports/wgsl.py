@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from motes.codegen.language import comment
-from motes.codegen.wgsl import LANGUAGE
 from motes.exports.shaders import (
     Prepared,
     Shader,
@@ -16,6 +14,8 @@ from motes.exports.shaders import (
     uniforms_of,
 )
 from motes.models import BRDF
+from motes.printing.language import comment
+from motes.printing.wgsl import LANGUAGE
 
 
 def shader(

@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes import workers
-from motes.codegen.numpy import FitFunction, residual_function
 from motes.fitting.losses import Floats, Loss, Robust
+from motes.kernels.numpy import FitFunction, residual_function
 from motes.models import BRDF
 from motes.parameters import Parameter
 

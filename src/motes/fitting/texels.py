@@ -1,7 +1,7 @@
 """Fits of one model to very many texels that were measured at the same directions: the batched solver of the engine.
 
-Every texel is a fit of its own; with trends, all its times together are.  The kernel is generated from the model (`motes.codegen.normal`,
-`motes.codegen.lanes`) and compiled once.  What it cannot do, the losses with a logarithm or a cube root and very many coefficients, runs
+Every texel is a fit of its own; with trends, all its times together are.  The kernel is generated from the model (`motes.fitting.printed.normal`,
+`motes.fitting.printed.lanes`) and compiled once.  What it cannot do, the losses with a logarithm or a cube root and very many coefficients, runs
 through the solver of `motes.fit`, some thousand times slower.
 """
 
@@ -17,13 +17,15 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from motes import engine, tracing, workers
-from motes.codegen import lanes, normal
-from motes.codegen import numpy as numpy_code
+from motes import workers
 from motes.errors import DataError, MotesError
 from motes.fitting.joint import Part
 from motes.fitting.losses import loss_named
+from motes.fitting.printed import covariance, lanes, normal
 from motes.fitting.problem import Quantity, layout
+from motes.graph import tracing
+from motes.kernels import engine
+from motes.kernels import numpy as numpy_code
 from motes.models import BRDF, describe, parse
 from motes.parameters import Parameter
 from motes.trends import KINDS
@@ -362,7 +364,7 @@ class _Compiled:
         printed = lanes.solver(equations, _coefficients(fit))
         self.form = printed.form
         self.source = printed.source
-        self.driver = engine.module(printed.source, f"the fit of {describe(fit.brdf)} to texels").fit
+        self.driver = engine.module(printed.source, f"the fit of {describe(fit.brdf)} to texels", [covariance]).fit
         self.size, self.channels = fit.size, fit.channels
         self.times = 1 if fit.hours is None else len(fit.hours)
         self.given = len(fit.wi)

@@ -1,4 +1,4 @@
-"""Fits of texels without a kernel: by the solver of `motes.fit`, for losses and sizes that `motes.codegen.lanes` has no code for, and as its check."""
+"""Fits of texels without a kernel: by the solver of `motes.fit`, for losses and sizes that `motes.fitting.printed.lanes` has no code for, and as its check."""
 
 from __future__ import annotations
 

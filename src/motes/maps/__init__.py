@@ -1,11 +1,11 @@
 """Reflectance maps: a fit at every texel, chunk by chunk, on one machine or many."""
 
-from motes.maps.exr import export_exr
 from motes.maps.fitted import FittedMap, open_fitted
 from motes.maps.images import import_images
 from motes.maps.run import fit_map
 from motes.maps.simulated import simulate_map
 from motes.maps.stack import MapStack, create_map, open_stack
+from motes.maps.staf_layout import export_exr
 from motes.maps.zarrs import is_store, kind_of
 
 __all__ = [

@@ -206,7 +206,7 @@ class FittedMap:
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Write a page that shows the maps; it needs no network."""
-        from motes.report.maps import write_map_page
+        from motes.report.map_page import write_map_page
 
         return write_map_page(self, path)
 

@@ -26,10 +26,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes.errors import FormatError, MotesError
-from motes.maps import _png
+from motes.images import exr as _exr
+from motes.images import png as _png
 from motes.maps.lights import Row, rows_of, table_of
 from motes.maps.stack import MapStack, create_map
-from motes.measurements import _exr, _scans
+from motes.measurements import _scans
 
 Singles = NDArray[np.float32]
 Floats = NDArray[np.float64]

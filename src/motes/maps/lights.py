@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from motes import directions
 from motes.errors import DataError, FormatError
-from motes.measurements import _files
+from motes.files import reading
 from motes.measurements.table import TIMES
 
 Floats = NDArray[np.float64]
@@ -49,7 +49,7 @@ def table_of(folder: Path, table: str | os.PathLike[str] | None) -> Path:
 
 def rows_of(path: Path, folder: Path) -> list[Row]:
     """The table, checked, in its order."""
-    text = "\n".join(line.partition("#")[0] for line in _files.text(path).splitlines())
+    text = "\n".join(line.partition("#")[0] for line in reading.text(path).splitlines())
     lines = [line for line in text.splitlines() if line.strip()]
     separator = max(",;\t", key=(lines or [""])[0].count)
     cells = [[c.strip() for c in row] for row in csv.reader(lines, delimiter=separator)]
@@ -84,7 +84,7 @@ def _row(entry: dict[str, str], where: str, folder: Path) -> Row:
             if default is None:
                 raise FormatError(f"{where}: {name} is missing", "Fill it in")
             return default
-        value = float(_files.numbers([entry[name]], f"{where}, {name}")[0])
+        value = float(reading.numbers([entry[name]], f"{where}, {name}")[0])
         if not np.isfinite(value):
             raise FormatError(f"{where}: {name} = {entry[name][:40]} is not finite", "Fill it in")
         return value

@@ -60,7 +60,7 @@ class Settings:
         max_theta: float | None,
     ) -> Self:
         """The settings with names checked and the identity of the data."""
-        from motes import __version__
+        from motes.version import __version__
 
         loss_named(loss)
         if weights not in ("measurement", "uniform"):

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes.errors import FormatError
-from motes.measurements import _files
+from motes.files import reading
 
 MAGIC = b"tensor_file\0"
 DTYPES = {1: "u1", 2: "i1", 3: "<u2", 4: "<i2", 5: "<u4", 6: "<i4", 7: "<u8", 8: "<i8", 9: "<f2", 10: "<f4", 11: "<f8"}
@@ -26,7 +26,7 @@ class TensorFile:
     def __init__(self, path: Path) -> None:
         self.path = path
         self.table: dict[str, tuple[str, int, tuple[int, ...]]] = {}
-        header = _files.head(path, HEADER)
+        header = reading.head(path, HEADER)
         if not header.startswith(MAGIC):
             raise FormatError(f"{path} starts with {header[:12]!r}, not {MAGIC!r}", "This is not a tensor file")
         try:
@@ -35,13 +35,13 @@ class TensorFile:
                     f"{path} is a tensor file of version {tuple(header[12:14])}, not (1, 0)", "Only version 1.0 is read"
                 )
             (n,), at = struct.unpack_from("<I", header, 14), 18
-            _files.require(n <= 1000, f"{path} claims {n} fields", "The file is damaged")
+            reading.require(n <= 1000, f"{path} claims {n} fields", "The file is damaged")
             for _ in range(n):
                 (length,) = struct.unpack_from("<H", header, at)
                 name = header[at + 2 : at + 2 + length].decode("utf-8", errors="replace")
                 at += 2 + length
                 ndim, dtype, offset = struct.unpack_from("<HBQ", header, at)
-                _files.require(
+                reading.require(
                     ndim <= 8 and dtype in DTYPES,
                     f"{path}: field {name[:40]!r} has {ndim} dimensions of type {dtype}",
                     "The file is damaged",
@@ -64,20 +64,20 @@ class TensorFile:
                 "This tensor file is not a measured BSDF",
             )
         dtype, offset, shape = self.table[name]
-        if len(shape) != ndim or _files.product(shape) == 0:
+        if len(shape) != ndim or reading.product(shape) == 0:
             raise FormatError(
                 f"{self.path}: field {name!r} has shape {shape}, not {ndim} dimensions of at least 1",
                 "The file is damaged",
             )
-        table = _files.binary(self.path, dtype, _files.product(shape), offset, f"field {name!r} {shape}")
-        return _files.doubles(table.reshape(shape))
+        table = reading.binary(self.path, dtype, reading.product(shape), offset, f"field {name!r} {shape}")
+        return reading.doubles(table.reshape(shape))
 
     def string(self, name: str) -> str:
         if name not in self.table or self.table[name][0] != "u1":
             return ""
         _, offset, shape = self.table[name]
         return (
-            bytes(_files.binary(self.path, "u1", min(_files.product(shape), 4096), offset, name))
+            bytes(reading.binary(self.path, "u1", min(reading.product(shape), 4096), offset, name))
             .decode("utf-8", errors="replace")
             .strip()
         )

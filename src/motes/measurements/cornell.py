@@ -12,7 +12,7 @@ import numpy as np
 
 from motes import directions
 from motes.errors import FormatError
-from motes.measurements import _files
+from motes.files import reading
 from motes.measurements.measurement import Measurement
 
 NAME = "cornell"
@@ -25,39 +25,39 @@ def sniff(path: Path, head: bytes) -> bool:
         return False
     lines = [line.partition("#")[0].split() for line in head.decode("utf-8", errors="replace").splitlines()]
     data = [tokens for tokens in lines if tokens]
-    return len(data) >= 1 and len(data[0]) == 1 and _files.integer(data[0][0]) is not None
+    return len(data) >= 1 and len(data[0]) == 1 and reading.integer(data[0][0]) is not None
 
 
 def read(path: Path) -> Measurement:
     """The measurement, all wavelengths as channels."""
     comments: list[str] = []
     tokens: list[str] = []
-    for line in _files.text(path).splitlines():
+    for line in reading.text(path).splitlines():
         data, hash_sign, comment = line.partition("#")
         tokens += data.split()
         if hash_sign and comment.strip() and not tokens:
             comments.append(comment.strip())
     comments = [c for c in comments if not c.lower().startswith(("num wl", "wls"))]
     title = next((c for c in comments if "cornell" not in c.lower()), path.stem)
-    n = _files.integer(tokens[0]) if tokens else None
+    n = reading.integer(tokens[0]) if tokens else None
     if n is None or not 1 <= n <= MOST_WAVELENGTHS:
         found = f"{tokens[0][:40]!r}" if tokens else "nothing"
         raise FormatError(
             f"{path} starts with {found}, not the number of wavelengths (1 to {MOST_WAVELENGTHS})", "Check the file"
         )
-    _files.require(
+    reading.require(
         len(tokens) > 1 + n,
         f"{path} is truncated: {n} wavelengths announced, {len(tokens) - 1} numbers follow",
         "Fetch the file again",
     )
-    numbers = _files.numbers(tokens[1:], str(path))
+    numbers = reading.numbers(tokens[1:], str(path))
     wavelengths, rows = numbers[:n], numbers[n:]
-    _files.require(
+    reading.require(
         bool(np.all(np.isfinite(wavelengths)) and np.all(np.diff(wavelengths) > 0) and wavelengths[0] > 0),
         f"{path}: the {n} wavelengths are not positive and increasing: {wavelengths[:4].tolist()}, ...",
         "They follow their number, in nm",
     )
-    _files.require(
+    reading.require(
         len(rows) % (n + 4) == 0,
         f"{path} is truncated or has ragged rows: {len(rows)} numbers are no multiple of 4 angles + {n} values",
         "Rows are: theta_i phi_i theta_s phi_s v1 .. vn",

@@ -14,7 +14,8 @@ import numpy as np
 
 from motes import directions
 from motes.errors import FormatError
-from motes.measurements import _files, policy
+from motes.files import reading
+from motes.measurements import policy
 from motes.measurements.measurement import Measurement
 
 NAME = "curet"
@@ -56,13 +57,13 @@ def read(path: Path, *, sample: int | str | None = None) -> Measurement:
     if sample is None and len(rows) == 1:
         sample = next(iter(rows))
     available = ", ".join(str(n) for n in rows)
-    number = _files.integer(str(sample).strip()) if sample is not None else None
+    number = reading.integer(str(sample).strip()) if sample is not None else None
     if number not in rows:
         what = f"has {len(rows)} samples" if sample is None else f"has no sample {sample!s:.40}"
         raise FormatError(f"{file} {what}", f"Choose one of sample = {available}")
     table = _table(file.parent / TABLE)
-    values = _files.numbers(rows[number], f"{file}, sample {number}")
-    _files.require(
+    values = reading.numbers(rows[number], f"{file}, sample {number}")
+    reading.require(
         len(values) == len(table),
         f"{file}, sample {number} has {len(values)} values for the {len(table)} directions of {TABLE}",
         "The row is cut short, or the two files do not belong together",
@@ -94,20 +95,20 @@ def _values_file(path: Path) -> Path:
 def _rows(file: Path) -> dict[int, list[str]]:
     """Sample number -> its values, as text."""
     rows: dict[int, list[str]] = {}
-    for number, line in enumerate(_files.text(file).splitlines(), 1):
+    for number, line in enumerate(reading.text(file).splitlines(), 1):
         tokens = line.split()
         if not tokens:
             continue
-        sample = _files.integer(tokens[0])
-        _files.require(
+        sample = reading.integer(tokens[0])
+        reading.require(
             sample is not None and len(tokens) > 1,
             f"{file}, line {number} starts with {line.strip()[:30]!r}, not a sample number and values",
             "Rows are: sample v1 .. v205",
         )
         assert sample is not None
-        _files.require(sample not in rows, f"{file}, line {number} repeats sample {sample}", "Each sample has one row")
+        reading.require(sample not in rows, f"{file}, line {number} repeats sample {sample}", "Each sample has one row")
         rows[sample] = tokens[1:]
-    _files.require(bool(rows), f"{file} holds no sample", "Rows are: sample v1 .. v205")
+    reading.require(bool(rows), f"{file} holds no sample", "Rows are: sample v1 .. v205")
     return rows
 
 
@@ -117,20 +118,20 @@ def _table(path: Path) -> np.ndarray:
         raise FormatError(
             f"{path} is missing: it holds the directions of {VALUES}", f"Put CUReT's {TABLE} beside {VALUES}"
         )
-    lines = [line.split() for line in _files.text(path).splitlines() if line.strip()]
+    lines = [line.split() for line in reading.text(path).splitlines() if line.strip()]
     for number, tokens in enumerate(lines, 1):
-        _files.require(
+        reading.require(
             len(tokens) == 5,
             f"{path}, row {number} has {len(tokens)} numbers, not 5",
             "Rows are: k theta_v phi_v theta_i phi_i",
         )
-    _files.require(bool(lines), f"{path} is empty", "Rows are: k theta_v phi_v theta_i phi_i")
-    table = _files.numbers([t for tokens in lines for t in tokens], str(path)).reshape(-1, 5)
+    reading.require(bool(lines), f"{path} is empty", "Rows are: k theta_v phi_v theta_i phi_i")
+    table = reading.numbers([t for tokens in lines for t in tokens], str(path)).reshape(-1, 5)
     order = np.argsort(table[:, 0], kind="stable")
-    _files.require(
+    reading.require(
         bool(np.array_equal(table[order, 0], np.arange(1, len(table) + 1))),
         f"{path}: the first column is not the numbers 1 to {len(table)}",
         "Rows are: k theta_v phi_v theta_i phi_i, one for each k",
     )
-    _files.require(bool(np.all(np.isfinite(table))), f"{path} holds an angle that is not a number", "Check the file")
+    reading.require(bool(np.all(np.isfinite(table))), f"{path} holds an angle that is not a number", "Check the file")
     return table[order, 1:]

@@ -16,7 +16,7 @@ import numpy as np
 
 from motes import directions
 from motes.errors import FormatError
-from motes.measurements import _files
+from motes.files import reading
 from motes.measurements._angles import polar_bins
 from motes.measurements.measurement import Measurement
 
@@ -33,20 +33,20 @@ def sniff(path: Path, head: bytes) -> bool:
 
 def read(path: Path) -> Measurement:
     """The reflection table, one pair of directions a bin, weighted by solid angle."""
-    header = _files.head(path, HEADER)
-    _files.require(
+    header = reading.head(path, HEADER)
+    reading.require(
         header.startswith(MAGIC),
         f"{path} starts with {header[:16]!r}, not {MAGIC.decode()!r}",
         "This is not an MBSDF file",
     )
     start = header.find(REFLECTION)
-    _files.require(
+    reading.require(
         start >= 0,
         f"{path} has no {REFLECTION.decode().strip()} in its first {HEADER:,} bytes",
         "Only reflection is read",
     )
     start += len(REFLECTION)
-    _files.require(
+    reading.require(
         len(header) >= start + 12,
         f"{path} is truncated at byte {len(header)}, before the sizes of its table",
         "Fetch it again",
@@ -59,8 +59,10 @@ def read(path: Path) -> Measurement:
         )
     n_channels = 3 if kind == 1 else 1
     shape = (n_theta, n_theta, n_phi, n_channels)
-    table = _files.binary(path, "<f4", _files.product(shape), start + 12, f"the table of {' x '.join(map(str, shape))}")
-    values = _files.doubles(table.reshape(shape))
+    table = reading.binary(
+        path, "<f4", reading.product(shape), start + 12, f"the table of {' x '.join(map(str, shape))}"
+    )
+    values = reading.doubles(table.reshape(shape))
 
     theta, polar = polar_bins(n_theta)
     phi = (np.arange(n_phi) + 0.5) / n_phi * np.pi

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from motes.errors import FormatError
-from motes.measurements import _files
+from motes.files import reading
 from motes.measurements._angles import half_difference_grid
 from motes.measurements.measurement import Measurement
 
@@ -33,8 +33,8 @@ def sniff(path: Path, head: bytes) -> bool:
 
 def read(path: Path) -> Measurement:
     """The table as a measurement: its bins above the horizon, with their solid angles as weights."""
-    header = _files.head(path, 12)
-    _files.require(
+    header = reading.head(path, 12)
+    reading.require(
         len(header) == 12,
         f"{path} is {len(header)} bytes long, too short for a MERL header of 12",
         "Fetch the file again",
@@ -50,14 +50,14 @@ def read(path: Path) -> Measurement:
         raise FormatError(
             f"{path} starts with the sizes {shape}, not {FULL} (theta_h, theta_d, phi_d)", "This is not a MERL file"
         )
-    n = _files.product(shape)
+    n = reading.product(shape)
     expected, size = 12 + 24 * n, path.stat().st_size
-    _files.require(
+    reading.require(
         size == expected,
         f"{path} is {size:,} bytes long; sizes {shape} need exactly {expected:,}",
         "It is truncated or of another kind",
     )
-    planes = _files.binary(path, "<f8", 3 * n, 12, "the table").reshape(3, n)
+    planes = reading.binary(path, "<f8", 3 * n, 12, "the table").reshape(3, n)
     wi, wo, weights, above = half_difference_grid(*shape)
     values = (planes[:, above].T * SCALE)[None]
     below = int(n - len(wi))

@@ -14,7 +14,8 @@ import numpy as np
 
 from motes import directions
 from motes.errors import FormatError
-from motes.measurements import _exr, _files
+from motes.files import reading
+from motes.images import exr as _exr
 from motes.measurements.measurement import Measurement
 
 NAME = "merl-slice"
@@ -32,7 +33,7 @@ def sniff(path: Path, head: bytes) -> bool:
 
 def read(path: Path) -> Measurement:
     """The slice, at the cosines of its rows or the centres of its pixels."""
-    if _files.head(path, 4) == _exr.MAGIC:
+    if reading.head(path, 4) == _exr.MAGIC:
         return _picture(path)
     return _curve(path)
 
@@ -40,7 +41,7 @@ def read(path: Path) -> Measurement:
 def _curve(path: Path) -> Measurement:
     header: dict[str, list[str]] = {}
     comments, tokens, rows = [], [], 0
-    for line in _files.text(path).splitlines():
+    for line in reading.text(path).splitlines():
         if line.startswith("#"):
             words = line[1:].split()
             if words and words[0].isupper():
@@ -49,7 +50,7 @@ def _curve(path: Path) -> Measurement:
                 comments.append(" ".join(words))
         elif line.strip():
             words = line.split()
-            _files.require(
+            reading.require(
                 len(words) == 4,
                 f"{path}, data row {rows + 1} has {len(words)} numbers, not 4",
                 "Rows are: cos(theta_h) R G B",
@@ -61,9 +62,9 @@ def _curve(path: Path) -> Measurement:
             f"{path} has {rows} rows of DIM {header.get('DIM')} over {header.get('PARAM_IN')}",
             "Only #DIM 1 3 over COS_TH is read",
         )
-    numbers = _files.numbers(tokens, str(path)).reshape(-1, 4)
+    numbers = reading.numbers(tokens, str(path)).reshape(-1, 4)
     cosine = numbers[:, 0]
-    _files.require(
+    reading.require(
         bool(np.all(np.abs(cosine) <= 1)), f"{path}: the first column is not a cosine", "Rows are: cos(theta_h) R G B"
     )
     w = directions.from_spherical(np.arccos(cosine), 0.0)
@@ -74,7 +75,7 @@ def _curve(path: Path) -> Measurement:
 def _picture(path: Path) -> Measurement:
     values = _exr.rgb(path, "reading a slice")
     height, width = values.shape[:2]
-    _files.require(
+    reading.require(
         (height, width) == SIZE,
         f"{path} is {width} x {height} pixels, not 512 x 512",
         "This picture is no slice of a MERL table",

@@ -10,9 +10,10 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from motes.errors import FormatError, MotesError
-from motes.measurements import _files, cornell, curet, mbsdf, merl, merl_slice, rgl, staf, table, tvbrdf
-from motes.measurements.maps import ParameterMaps
+from motes.files import reading
+from motes.measurements import cornell, curet, mbsdf, merl, merl_slice, rgl, staf, table, tvbrdf
 from motes.measurements.measurement import Measurement
+from motes.measurements.parameter_maps import ParameterMaps
 
 T = TypeVar("T")
 
@@ -156,7 +157,7 @@ def _exists(path: Path) -> bool:
 
 def _detect(path: Path) -> Reader:
     _exists(path)
-    head = _files.head(path) if path.is_file() else b""
+    head = reading.head(path) if path.is_file() else b""
     for reader in _TABLE:
         if reader.sniff(path, head):
             return reader

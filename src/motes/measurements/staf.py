@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes.errors import FormatError
-from motes.measurements import _exr, _files
-from motes.measurements.maps import NAMES, ParameterMaps
+from motes.files import reading
+from motes.images import exr as _exr
+from motes.measurements.parameter_maps import NAMES, ParameterMaps
 
 NAME = "staf"
 SOURCE = "Gu et al., Time-varying Surface Appearance, ACM TOG 25(3), 2006, refitted as polynomials by Meister et al."
@@ -39,7 +40,7 @@ def read(path: Path) -> ParameterMaps:
     files = _coefficients(path)
     for name in NAMES:
         degrees = sorted(d for n, d in files if n == name)
-        _files.require(
+        reading.require(
             bool(degrees) and degrees == list(range(len(degrees))),
             f"{path} holds {name} for the powers {degrees} of t; they must run from 0 without a gap",
             f"Each map needs {name}-0.exr, {name}-1.exr, ...",
@@ -49,12 +50,12 @@ def read(path: Path) -> ParameterMaps:
     for (name, _), file in sorted(files.items()):
         picture = _exr.rgb(file, "reading STAF maps")
         first = first or picture.shape
-        _files.require(
+        reading.require(
             picture.shape == first,
             f"{file} is {picture.shape[:2]} and the maps before it {first[:2]}",
             "All have one size",
         )
-        _files.require(
+        reading.require(
             bool(np.all(np.isfinite(picture))), f"{file} holds values that are not finite", "Fetch the file again"
         )
         maps[name].append(picture)
@@ -63,7 +64,7 @@ def read(path: Path) -> ParameterMaps:
         c = coefficients[name]
         if np.array_equal(c[..., 0], c[..., 1]) and np.array_equal(c[..., 0], c[..., 2]):
             coefficients[name] = np.ascontiguousarray(c[..., :1])
-    _files.require(
+    reading.require(
         coefficients["Roughness"].shape[-1] == 1, f"{path}: Roughness has colours", "One sigma_s serves all channels"
     )
     return ParameterMaps(

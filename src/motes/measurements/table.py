@@ -19,7 +19,8 @@ from numpy.typing import NDArray
 
 from motes import directions
 from motes.errors import FormatError
-from motes.measurements import _files, _scans, policy
+from motes.files import reading
+from motes.measurements import _scans, policy
 from motes.measurements.measurement import Measurement
 
 NAME = "csv"
@@ -51,7 +52,7 @@ def sniff(path: Path, head: bytes) -> bool:
 
 def read(path: Path) -> Measurement:
     """The table as a measurement; rows of one time make a scan."""
-    numbered = ((n, line.partition("#")[0].rstrip(" \r")) for n, line in enumerate(_files.text(path).splitlines(), 1))
+    numbered = ((n, line.partition("#")[0].rstrip(" \r")) for n, line in enumerate(reading.text(path).splitlines(), 1))
     lines = [(n, line) for n, line in numbered if line.strip()]
     if len(lines) < 2:
         raise FormatError(f"{path} has {len(lines)} lines that are no comments", "It needs a header and a row a sample")
@@ -130,7 +131,7 @@ def _rows(path: Path, lines: list[tuple[int, str]], separator: str, n_columns: i
     cells: list[str] = []
     for number, line in lines:
         row = _cells(line, separator)
-        _files.require(
+        reading.require(
             len(row) == n_columns,
             f"{path}, line {number} has {len(row)} cells; the header has {n_columns}",
             "Rows match the header",
@@ -140,7 +141,7 @@ def _rows(path: Path, lines: list[tuple[int, str]], separator: str, n_columns: i
         return np.array(cells, np.float64).reshape(-1, n_columns)
     except ValueError:
         for i, (number, _) in enumerate(lines):  # find the line, for the message
-            _files.numbers(cells[i * n_columns : (i + 1) * n_columns], f"{path}, line {number}")
+            reading.numbers(cells[i * n_columns : (i + 1) * n_columns], f"{path}, line {number}")
         raise
 
 
@@ -152,7 +153,7 @@ def _columns(path: Path, header: list[str]) -> tuple[dict[str, int], list[int], 
         lower = name.lower()
         angle = ANGLES.get(lower.removesuffix("_deg"))
         if angle is not None:
-            _files.require(angle not in angles, f"{path} gives {angle} in two columns", "Keep one")
+            reading.require(angle not in angles, f"{path} gives {angle} in two columns", "Keep one")
             angles[angle] = column
         elif lower in TIMES:
             time.append(column)
@@ -166,7 +167,7 @@ def _columns(path: Path, header: list[str]) -> tuple[dict[str, int], list[int], 
             f"{path} has no column {', '.join(missing)}; it has {', '.join(header)[:200]}",
             "Columns: theta_i,phi_i,theta_r,phi_r,<channel>...",
         )
-    _files.require(
+    reading.require(
         len(time) <= 1 and len(weight) <= 1, f"{path} has several columns of time or weight", "Keep one of each"
     )
     names = [header[c] for c in channels]

@@ -25,7 +25,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from motes.errors import DataError, FormatError, MotesError
-from motes.measurements import _files, _scans, _timestamps, policy
+from motes.files import reading
+from motes.measurements import _scans, _timestamps, policy
 from motes.measurements.measurement import Measurement
 
 NAME = "tvbrdf"
@@ -78,11 +79,11 @@ def read(
     info = _Info.read(folder)
     notes = []
     n_found = len({scan for scan, _ in files})
-    _files.require(
+    reading.require(
         n_found > 0, f"{folder} holds no scan file", f"Expected {DATA}/scan01_brdf_camera1_allexposures.txt and so on"
     )
     n_scans = max(scan for scan, _ in files)
-    _files.require(
+    reading.require(
         n_scans <= n_found * (1 + MOST_ABSENT),
         f"{folder} holds files of {n_found} scans, numbered up to {n_scans}",
         "Number the scans from 01 without large gaps",
@@ -265,7 +266,7 @@ class _Info:
         )
         if file is None or not file.is_file():
             return cls()
-        text = _files.text(file)
+        text = reading.text(file)
         lines = [line.strip() for line in text.splitlines() if line.strip()]
         name, n_scans = "", 0
         exposures: tuple[float, ...] = ()
@@ -326,7 +327,7 @@ def _matches(name: str, sample: int | str) -> bool:
     ours, theirs = number[1] if number else name, str(sample).strip()
     if name == theirs or ours == theirs:
         return True
-    a, b = _files.integer(ours), _files.integer(theirs)
+    a, b = reading.integer(ours), reading.integer(theirs)
     return a is not None and a == b
 
 
@@ -347,7 +348,7 @@ def _scan_files(folder: Path) -> dict[tuple[int, int], Path]:
 
 def _triples(file: Path) -> NDArray[np.float64]:
     """Rows (M, 9) of F, L and V as written: b g r, x y z, x y z."""
-    text = _files.text(file)
+    text = reading.text(file)
     tokens = text.split()
     if tokens and tokens[0].lower().startswith("exposure"):
         tokens = text.partition("\n")[2].split()
@@ -360,14 +361,14 @@ def _triples(file: Path) -> NDArray[np.float64]:
                 f"{file}, record {wrong + 1}: {labels[which][wrong][:40]!r} stands where {letter} is expected",
                 "Records are: F b g r, L x y z, V x y z",
             )
-    _files.require(rest == 0, f"{file} is truncated within record {n + 1}", "Fetch the file again")
-    _files.require(n > 0, f"{file} holds no record", "Records are: F b g r, L x y z, V x y z")
+    reading.require(rest == 0, f"{file} is truncated within record {n + 1}", "Fetch the file again")
+    reading.require(n > 0, f"{file} holds no record", "Records are: F b g r, L x y z, V x y z")
     rows = np.array(tokens, object).reshape(n, 3, 4)[:, :, 1:].reshape(n, 9)
     try:
         values = rows.astype(np.float64)
     except ValueError:
         for record, row in enumerate(rows.tolist(), 1):  # find the record, for the message
-            _files.numbers(row, f"{file}, record {record}")
+            reading.numbers(row, f"{file}, record {record}")
         raise
     for start, letter in ((3, "L"), (6, "V")):
         policy.unit_directions(values[:, start : start + 3], f"{file}: {letter}")

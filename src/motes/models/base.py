@@ -87,7 +87,7 @@ class BRDF(Parametrised, ABC):
         """
         wi, wo, xp = self._prepared(wi, wo)
         if xp is NUMPY:
-            from motes import engine
+            from motes.kernels import engine
 
             if max(wi.size, wo.size) >= 3 * engine.THRESHOLD and engine.available():
                 return engine.evaluate(self, wi, wo)

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from motes.errors import MotesError
 from motes.files import replacing
+from motes.meshes.mesh import Mesh
 from motes.rendering.deposition import Deposit, Points, deposit
-from motes.rendering.meshes import Mesh
 from motes.rendering.rays import Surroundings
 
 LARGEST = 8192

@@ -34,8 +34,8 @@ from numpy.typing import ArrayLike, NDArray
 from motes.ageing.phenomena import PHENOMENA, Option, tau_slot
 from motes.errors import MotesError, ParameterError
 from motes.material import Material
+from motes.meshes.mesh import Mesh, unit
 from motes.models import DustLayer, Lambert
-from motes.rendering.meshes import Mesh, unit
 from motes.rendering.noise import cloudy
 from motes.rendering.rays import Progress, Surroundings
 from motes.rendering.wiping import Stroke, look_up, smooth_step
@@ -71,7 +71,7 @@ class Points(NamedTuple):
     def of(cls, mesh: Mesh) -> Points:
         """The vertices of a mesh."""
         if mesh.normals is None:
-            raise MotesError(f"{mesh.name} has no normals", "motes.rendering.meshes.with_normals computes them")
+            raise MotesError(f"{mesh.name} has no normals", "motes.meshes.mesh.with_normals computes them")
         return cls(mesh.positions, mesh.normals, mesh.uv)
 
 

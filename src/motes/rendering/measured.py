@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from motes import directions
 from motes.errors import DataError, MotesError
-from motes.measurements import _files, merl, rgl
+from motes.files import reading
+from motes.measurements import merl, rgl
 
 Floats = NDArray[np.float64]
 
@@ -34,7 +35,7 @@ def measured_bsdf(path: str | os.PathLike[str]) -> Any:
     file = Path(path)
     if not file.is_file():
         raise DataError(f"{file} does not exist", "Give the path of an RGL (.bsdf) or MERL (.binary) file")
-    head = _files.head(file, 4096)
+    head = reading.head(file, 4096)
     if rgl.sniff(file, head):
         rgl.read(file, resolution=4)  # checks what Mitsuba's reader trusts
         if not file.stem.endswith("rgb") and not mi.is_spectral:

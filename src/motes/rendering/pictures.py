@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from motes.errors import MotesError
 from motes.material import Material
 from motes.rendering import films, panels, tonemap
-from motes.rendering.layout import each_titled, layout, mosaic, words
+from motes.rendering.arrangement import each_titled, layout, mosaic, words
 from motes.rendering.passes import FILM, Look
 from motes.rendering.rays import Progress
 from motes.rendering.stage import SMALL, measured_stage, stage

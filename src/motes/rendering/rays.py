@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from motes.rendering.meshes import Mesh
+from motes.meshes.mesh import Mesh
 
 Floats = NDArray[np.float64]
 Progress = Callable[[int, int, str], None]

@@ -17,9 +17,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from motes.errors import FormatError, MotesError
-from motes.rendering.meshes import SUFFIXES, Mesh, read_mesh, with_normals
+from motes.meshes.mesh import SUFFIXES, Mesh, read_mesh, with_normals
+from motes.meshes.shapes import SHAPES
 from motes.rendering.rays import mitsuba_mesh
-from motes.rendering.shapes import SHAPES
 
 NAMES = ("sphere", "bunny", "teapot", "grid")
 FLOOR = 0.55  # reflectance: a white highlight and a dark material both stand out from it

@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 from motes.ageing import age
 from motes.errors import MotesError
 from motes.material import Material
+from motes.meshes.shapes import SHAPES
 from motes.models import DustLayer
 from motes.rendering.deposition import Deposit, checked_tau, deposit, open_tau
 from motes.rendering.passes import Look, rendered
 from motes.rendering.rays import Progress
 from motes.rendering.scenes import Subject, on_stage, preview, subject
-from motes.rendering.shapes import SHAPES
 from motes.rendering.user_scene import user_scene
 
 Floats = NDArray[np.floating[Any]]

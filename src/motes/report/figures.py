@@ -8,9 +8,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from motes.drawing.colour import hex_color
+from motes.drawing.markup import Html, tag
 from motes.fitting.result import Fit
-from motes.report.color import hex_color
-from motes.report.markup import Html, tag
 
 # The Okabe-Ito colours that are dark enough for lines, as custom properties of the page.
 PALETTE = ("--blue", "--vermilion", "--green", "--purple")

@@ -8,15 +8,15 @@ import numpy as np
 
 from motes import directions, equations
 from motes.arrays import NUMPY
+from motes.drawing.colour import Floats
+from motes.drawing.markup import Html, tag
+from motes.drawing.sphere import evaluate
+from motes.drawing.svg import Panel, Scale, number
 from motes.fitting.result import Fit
 from motes.models import BRDF, TorranceSparrow, describe
 from motes.models.sums import Sum
-from motes.report.color import Floats
 from motes.report.figures import DEGREES, Shown, channel_key, figure, key
-from motes.report.markup import Html, tag
 from motes.report.slices import NearMirror, Slice, Slices, grows
-from motes.report.sphere import evaluate
-from motes.report.svg import Panel, Scale, number
 
 # ---------------------------------------------------------------- curves of the fitted BRDF
 

@@ -7,11 +7,11 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from motes.report.color import Floats, diverging, hex_color, sequential
+from motes.drawing.colour import Floats, diverging, hex_color, sequential
+from motes.drawing.markup import Html, join, tag
+from motes.drawing.svg import Panel, Scale
 from motes.report.figures import DEGREES, Shown, color_bar, figure, key
-from motes.report.markup import Html, join, tag
 from motes.report.slices import MOST_DOTS, Group, Samples, binned, incidence_groups
-from motes.report.svg import Panel, Scale
 
 # Enough samples for every cell of the maps over the hemisphere.
 MOST_CELLS = 200_000

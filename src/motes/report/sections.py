@@ -10,14 +10,14 @@ from typing import NamedTuple
 import numpy as np
 
 from motes.directions import theta
+from motes.drawing.colour import diverging, hex_color
+from motes.drawing.markup import Html, join, table, tag
 from motes.fitting.losses import LOSSES
 from motes.fitting.result import Fit, FittedParameter, Verdict
 from motes.fitting.tables import parameter_rows
 from motes.report import plots, residuals
-from motes.report.color import diverging, hex_color
 from motes.report.figures import Shown
 from motes.report.findings import count, percent
-from motes.report.markup import Html, join, table, tag
 from motes.report.slices import NearMirror, Samples, Slices
 
 # Larger tables of correlations are given as their strongest pairs.

@@ -12,8 +12,8 @@ from typing import NamedTuple, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from motes.drawing.colour import Floats
 from motes.fitting.result import Fit
-from motes.report.color import Floats
 
 # More samples than this are thinned where every one would be drawn or counted; pictures of averages use them all.
 MOST_DOTS = 6000

@@ -9,11 +9,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from motes.drawing.colour import Floats
+from motes.drawing.markup import Html, join, tag
+from motes.drawing.svg import Panel, Scale
 from motes.fitting.over_time import TimeFit, TrendFit
-from motes.report.color import Floats
 from motes.report.figures import Shown, figure, key
-from motes.report.markup import Html, join, tag
-from motes.report.svg import Panel, Scale
 from motes.trends import KINDS, Trend
 
 # How far beyond the last scan trends are drawn, as a share of the time observed.

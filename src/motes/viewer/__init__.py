@@ -1,5 +1,5 @@
 """The browser viewer: one page that needs no network, and a notebook widget."""
 
-from motes.viewer.view import View, view
+from motes.viewer.viewing import View, view
 
 __all__ = ["View", "view"]

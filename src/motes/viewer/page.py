@@ -12,11 +12,11 @@ from pathlib import Path
 
 import numpy as np
 
+from motes.drawing.colour import channels_to_srgb, data_uri, png, srgb_encode
+from motes.drawing.markup import Html, join, tag
+from motes.drawing.sphere import LIGHTS, sphere_radiances
 from motes.files import write_text
 from motes.material import Material
-from motes.report.color import channels_to_srgb, data_uri, png, srgb_encode
-from motes.report.markup import Html, join, tag
-from motes.report.sphere import LIGHTS, sphere_radiances
 from motes.viewer.contract import Payload
 
 PICTURE_SIZE = 200

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import motes
+from motes.drawing.colour import channels_to_srgb
 from motes.errors import DataError, ParameterError
 from motes.exports import glsl
 from motes.exports.subject import default_channels, subject
@@ -17,7 +18,6 @@ from motes.fitting.result import Fit
 from motes.material import Material
 from motes.measurements import Measurement
 from motes.models import BRDF
-from motes.report.color import channels_to_srgb
 from motes.trends import Trend
 from motes.viewer.contract import (
     VERSION,

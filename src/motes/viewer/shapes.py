@@ -1,6 +1,6 @@
 """The meshes of the viewer, with the dust that settles on them, as the file that ships with Motes.
 
-``tools/viewer_build.py`` writes it (needs the extra ``render``, for the rays): the shapes of `motes.rendering.shapes` at a size that suits a page,
+``tools/viewer_build.py`` writes it (needs the extra ``render``, for the rays): the shapes of `motes.meshes.shapes` at a size that suits a page,
 and on their vertices the share of `motes.rendering.deposition` without its noise.
 """
 
@@ -29,8 +29,8 @@ def shapes() -> ShapesView:
 
 def make() -> ShapesView:
     """The meshes and their dust, computed."""
+    from motes.meshes.shapes import bunny, sphere, teapot
     from motes.rendering.deposition import falling, hold, settled_options
-    from motes.rendering.shapes import bunny, sphere, teapot
 
     theta = np.linspace(0, np.pi, STEPS)
     normals = np.stack([np.sin(theta), np.cos(theta), 0 * theta], -1)

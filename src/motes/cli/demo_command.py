@@ -1,0 +1,103 @@
+"""``motes demo``: the main job on an embedded default."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+from typing import Annotated, Any
+
+from cyclopts import Parameter
+
+from motes.cli.options import Common, MaybeWhole, Reading
+
+SEED = 2007
+
+
+def demo(
+    *,
+    output: Annotated[str, Parameter(name=["--output", "-o"])] = "motes-demo",
+    time: MaybeWhole = None,
+    common: Common = Common(),  # noqa: B008 (an immutable value)
+) -> int:
+    """Simulate a dusty drying plaster, fit it over time, and write a report; nothing is downloaded.
+
+    The twelve scans go to OUTPUT/plaster in the format of the TVBRDF database, the results of the fit to OUTPUT. The
+    tables show the truth beside what was found. Exit status as of motes fit.
+
+    Parameters
+    ----------
+    output
+        The folder of the results.
+    time
+        Fit one of the twelve scans alone, from 0; -1 is the last.
+    """
+    from motes.cli import console
+    from motes.cli.fit_command import fit_and_write, load_measurement
+
+    folder = Path(output)
+    plaster = folder / "plaster"
+    _simulate(plaster, common)
+    measurement = load_measurement(str(plaster), Reading(), common)
+    if not (common.quiet or common.json):
+        console.print_facts([("simulated", f"{plaster}/: {measurement.n_times} scans of a drying plaster, 2 % noise")])
+    truth = true_trends(float(measurement.times[-1])) if time is None else _at(measurement.times, time)
+    return fit_and_write(measurement, time, folder, True, {}, common, truth)
+
+
+def true_trends(last: float) -> dict[str, Any]:
+    """What is true of the plaster: for each parameter the kind of trend, its coefficients, the values at both ends."""
+    import numpy as np
+
+    from motes.ageing import plaster
+    from motes.trends import Trend
+
+    interval = (0.0, last)
+    start = {name: trend(0.0) for name, trend in plaster.TRENDS.items()}
+    K_d = {"start": plaster.K_D_WET, "end": plaster.K_D_DRY, "middle": 2.0, "width": 0.4}
+    trends = {
+        **{name: Trend("constant", {"value": value}, interval) for name, value in start.items()},
+        "K_d": Trend("logistic", K_d, interval),
+        "K_s": Trend("exponential", {"start": start["K_s"], "end": 0.0, "time_constant": 1.0}, interval),
+        "tau": Trend("linear", {"start": start["tau"], "end": plaster.TRENDS["tau"](last)}, interval),
+    }
+    return {
+        name: {
+            "kind": trend.kind,
+            "coefficients": {key: np.asarray(value).tolist() for key, value in trend.coefficients.items()},
+            "first": trend(0.0).tolist(),
+            "last": trend(last).tolist(),
+        }
+        for name, trend in trends.items()
+    }
+
+
+def _at(times: Any, index: int) -> dict[str, Any]:
+    """The true parameters at one of the times."""
+    import numpy as np
+
+    from motes.ageing import drying_plaster
+
+    hours = float(times[index % len(times)])
+    return {name: np.asarray(value).tolist() for name, value in drying_plaster(hours).parameters.items()}
+
+
+def _simulate(plaster: Path, common: Common) -> None:
+    """Write the scans, in place of those of an earlier demonstration."""
+    from motes.ageing import drying_plaster, simulate
+    from motes.cli import console, paths
+    from motes.errors import MotesError
+    from motes.measurements.tvbrdf import DATA, INFO
+
+    if plaster.is_dir():
+        others = [file.name for file in plaster.iterdir() if file.name not in (DATA, INFO)]
+        if others:
+            raise MotesError(
+                f"{plaster} holds {others[0]}, which motes demo did not write", "Choose another folder with -o"
+            )
+    with paths.results(plaster.parent) as staging:
+        with console.progress(common, "simulating") as step:
+            simulate(
+                staging / plaster.name, drying_plaster, seed=SEED, name="dusty plaster", process="drying", progress=step
+            )
+        if plaster.is_dir():
+            shutil.rmtree(plaster)

@@ -1,0 +1,235 @@
+"""``motes render``: pictures and films of materials."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from cyclopts import Parameter
+
+from motes.cli.options import Common, MaybeWhole, Reading, Whole
+
+if TYPE_CHECKING:
+    from motes.material import Material
+
+
+def render(
+    *material: str,
+    output: Annotated[str, Parameter(name=["--output", "-o"])],
+    scene: str = "sphere",
+    env: str | None = None,
+    time: str | None = None,
+    deposit: Annotated[bool, Parameter(negative="")] = False,
+    set: Annotated[tuple[str, ...], Parameter(negative="")] = (),
+    up: str = "y",
+    wind: str | None = None,
+    compare: str | None = None,
+    model: Annotated[str, Parameter(name=["--model", "-m"])] = "oren_nayar + torrance_sparrow",
+    size: str | None = None,
+    samples: MaybeWhole = None,
+    seed: Whole = 0,
+    tone: Literal["neutral", "clip"] = "neutral",
+    exposure: float = 0.0,
+    fps: float = 12.0,
+    labels: bool | None = None,
+    keep_frames: Annotated[bool, Parameter(negative="")] = False,
+    reading: Reading = Reading(),  # noqa: B008 (an immutable value)
+    common: Common = Common(),  # noqa: B008
+) -> int:
+    """Render materials: a picture, a film of how they change, a table that compares them.
+
+    Several materials, or several times, stand side by side; both make a table. With --compare a measured material is
+    shown beside its fit. A film that was stopped goes on where it was when the same command is run again.
+
+    Parameters
+    ----------
+    material
+        A material.json, or the folder that motes fit wrote; one or more.
+    output
+        NAME.png, NAME.exr (radiance), NAME.gif or NAME.mp4.
+    scene
+        sphere, bunny, teapot, grid (small spheres), a mesh (.ply, .obj), or a Mitsuba scene (.xml) with $material in it.
+    env
+        An environment map (EXR, HDR) in place of the studio's lights.
+    time
+        A time such as 12h, several as 0,6,24h, or FIRST:LAST:COUNT such as 0:30d:48; hours when no unit is given.
+    deposit
+        Let dust lie where it settles, rather than evenly.
+    set
+        NAME=VALUE: a number of the deposit, such as adhesion=0.5; repeat for more.
+    up
+        Of a mesh: x, y, z, -x, -y, -z or three numbers.
+    wind
+        The direction that wind comes from, for --deposit.
+    compare
+        An RGL (.bsdf) or MERL (.binary) file, shown beside the materials, or beside its fit when none is given.
+    model
+        That is fitted for --compare.
+    size
+        Pixels along a side of a panel, or WIDTHxHEIGHT.
+    samples
+        Paths a pixel.
+    seed
+        Of the paths and of the noise in dust.
+    tone
+        neutral rolls highlights off (Khronos PBR Neutral), clip cuts at 1.
+    exposure
+        In stops.
+    fps
+        Frames a second of a film.
+    labels
+        Titles over the panels; on for films and where there are several.
+    keep_frames
+        Keep the frames of radiance when all is done.
+    """
+    from motes.cli import console, paths
+    from motes.cli.dust_command import vector
+    from motes.cli.options import numbers
+    from motes.errors import MotesError
+    from motes.rendering import slow_note
+    from motes.rendering.pictures import default_look
+    from motes.rendering.pictures import render as make
+
+    if compare is None and not material:
+        raise MotesError(
+            "no material was given", "motes render MATERIAL.json -o picture.png; motes fit makes materials"
+        )
+    options = numbers(set, "--set")
+    if (options or wind is not None) and not deposit:
+        raise MotesError(f"--{'wind' if wind is not None else 'set'} was given without --deposit", "Add --deposit")
+    settling: dict[str, Any] | None = None
+    if deposit:
+        from motes.rendering.deposition import settled_options
+
+        settling = {**settled_options(options), "seed": seed}
+        if wind is not None:
+            settling["wind"] = vector(wind, "--wind")
+    hours = None if time is None else hours_of(time)
+    film = Path(output).suffix.lower() in (".gif", ".mp4")
+    if Path(scene).suffix.lower() == ".xml" and size is not None:
+        raise MotesError(f"--size was given for {scene}", "A Mitsuba scene says its own size, in its film")
+    if note := slow_note():
+        console.warn(note)
+    shown = [paths.material_of(path) for path in material]
+    measured: Path | None = None
+    if compare is not None:
+        measured = paths.existing(compare)
+        shown = shown or [_fitted(measured, model, reading, common)]
+    several = film or scene == "grid" or len(shown) * len(hours or (0,)) + (measured is not None) > 1
+    look = default_look(
+        several=several,
+        film=film,
+        scene=scene,
+        size=None if size is None else _size(size),
+        samples=samples,
+        seed=seed,
+        env=None if env is None else paths.existing(env),
+        up=vector(up, "--up"),
+    )
+    try:
+        with console.progress(common, "rendering") as step:
+            made = make(
+                shown,
+                output,
+                look=look,
+                hours=hours,
+                settling=settling,
+                measured=measured,
+                tone=tone,
+                exposure=exposure,
+                fps=fps,
+                labels=labels,
+                keep_frames=keep_frames,
+                progress=step,
+            )
+    except KeyboardInterrupt:
+        if film:
+            console.warn("finished frames are kept beside the film; the same command goes on from there")
+        raise
+    if made.not_finite:
+        console.warn(f"{made.not_finite} values of radiance are no numbers and are shown black")
+    if common.json:
+        console.print_json(
+            {
+                "path": str(made.path),
+                "materials": [m.name for m in shown],
+                "scene": scene,
+                "hours": list(made.hours),
+                "size": list(made.look.size),
+                "samples": made.look.samples,
+                "rows": made.rows,
+                "columns": made.columns,
+                "frames_kept": made.kept,
+                "tone": made.tone,
+                "notes": list(made.notes),
+            }
+        )
+    elif not common.quiet:
+        first, last = min(made.hours), max(made.hours)
+        what = f"{len(made.hours)} frames" if film else f"{made.rows} x {made.columns} panels"
+        console.print_facts(
+            [
+                ("material", "; ".join(m.name for m in shown)),
+                ("scene", f"{scene}, {what}, {made.look.samples} paths a pixel"),
+                ("time", f"{first:g} h" if first == last else f"{first:g} to {last:g} h"),
+                *([("kept", f"{made.kept} frames were there already")] if made.kept else []),
+                *(("note", note) for note in made.notes),
+                ("tone", made.tone if Path(output).suffix.lower() != ".exr" else "none: linear radiance"),
+                ("written", str(made.path)),
+            ]
+        )
+    return 0
+
+
+def _fitted(path: Path, model: str, reading: Reading, common: Common) -> Material:
+    """The fit of a measurement, named after its model."""
+    from dataclasses import replace
+
+    from motes.cli import console
+    from motes.fitting import fit
+    from motes.measurements import Measurement, read
+    from motes.models import describe
+
+    data = read(path, **reading.options())
+    assert isinstance(data, Measurement)  # maps are no RGL or MERL file, which the stage will say
+    with console.progress(common, f"fitting {path.name}") as step:
+        found = fit(data, model=model, progress=step)
+    material = found.material
+    return replace(material, name=f"fit: {describe(material.brdf)}")
+
+
+UNITS = {"s": 1 / 3600, "min": 1 / 60, "h": 1.0, "d": 24.0}
+
+
+def hours_of(text: str) -> list[float]:
+    """``12h``, ``0,6,24h`` or ``0:30d:48`` as hours; a unit at the end of the last time serves those without one."""
+    from motes.errors import MotesError
+
+    hint = "Write --time 12h, --time 0,6,24h or --time 0:30d:48 (units: s, min, h, d)"
+    parts = text.replace(" ", "").split(":")
+    if len(parts) not in (1, 3):
+        raise MotesError(f"--time {text!r} is not FIRST:LAST:COUNT", hint)
+    words = parts[0].split(",") if len(parts) == 1 else parts[:2]
+    try:
+        units = [next((u for u in ("min", "s", "h", "d") if word.endswith(u)), "") for word in words]
+        times = [
+            float(word.removesuffix(u)) * UNITS[u or units[-1] or "h"] for word, u in zip(words, units, strict=True)
+        ]
+        count = int(parts[2]) if len(parts) == 3 else len(times)
+    except ValueError:
+        raise MotesError(f"--time {text!r} is not a time, or several", hint) from None
+    if not 1 <= count <= 100_000:
+        raise MotesError(f"--time {text!r} asks for {count} frames", "Choose 1 to 100000")
+    if len(parts) == 1:
+        return times
+    step = (times[1] - times[0]) / max(count - 1, 1)
+    return [times[0] + k * step for k in range(count)]
+
+
+def _size(text: str) -> tuple[int, int]:
+    from motes.errors import MotesError
+
+    words = text.lower().split("x")
+    if len(words) > 2 or not all(word.strip().isdigit() for word in words):
+        raise MotesError(f"--size {text!r} is not a size", "Write --size 512 or --size 640x480")
+    return int(words[0]), int(words[-1])

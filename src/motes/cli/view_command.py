@@ -1,0 +1,151 @@
+"""``motes view``: a page to look at a material, a fit or measured data."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+from cyclopts import Parameter
+
+from motes.cli.options import Common, Reading
+
+if TYPE_CHECKING:
+    from motes.measurements import Measurement
+
+LARGEST_FIT = 64 * 2**20
+
+
+def view(
+    subject: str,
+    /,
+    *,
+    output: Annotated[str | None, Parameter(name=["--output", "-o"])] = None,
+    against: str | None = None,
+    data: str | None = None,
+    model: Annotated[str, Parameter(name=["--model", "-m"])] = "auto",
+    open_: Annotated[bool | None, Parameter(name="--open")] = None,
+    reading: Reading = Reading(),  # noqa: B008 (an immutable value)
+    common: Common = Common(),  # noqa: B008
+) -> int:
+    """Write a page to look at a material, a fit or measured data, and open it.
+
+    One self-contained HTML file that asks the network for nothing: the material on a sphere, teapot, bunny or mesh of one's own,
+    its lobe, sliders for its parameters, its course in time, measured points over it. Measured data are fitted first.
+
+    Parameters
+    ----------
+    subject
+        A material.json, the folder that motes fit wrote, or measured data.
+    output
+        The file to write; NAME-view.html when not given.
+    against
+        A second material to compare: a material.json or a folder of motes fit.
+    data
+        Measured data to show over the material; of a fit its own where they are still there.
+    model
+        What measured data are fitted with, as of motes fit.
+    open_
+        Open the page in the browser; by default on a terminal.
+    """
+    import sys
+
+    from motes.cli import console, paths
+    from motes.viewer import view as look
+
+    notes: list[str] = []
+    fitted: dict[str, Any] | None = None
+    points = _read(data, reading, common) if data is not None else None
+    path = paths.existing(subject)
+    what: Any
+    if (file := paths.material_at(path)) is not None or (path.is_dir() and (path / "fit.json").is_file()):
+        what = paths.material_of(subject)
+        if file is not None and path.is_dir() and (path / "fit.json").is_file():
+            fitted = _fit_json(path / "fit.json")
+            if points is None:
+                points = _own_data(fitted, notes)
+    else:
+        what = _fit(_read(subject, reading, common), model, common)
+    second = None if against is None else paths.material_of(against)
+    shown = look(what, second, data=points, notes=tuple(notes), fitted=fitted)
+    name = shown.materials[0].name
+    target = Path(output or f"{paths.slug(name)}-view.html")
+    opened = open_ if open_ is not None else console.on_terminal(sys.stdout) and not common.json
+    written = shown.open(target) if opened else shown.save(target)
+    size = written.stat().st_size
+    held = shown.payload["measurement"]
+    if common.json:
+        console.print_json(
+            {
+                "materials": [material.name for material in shown.materials],
+                "points": held["count"] if held else 0,
+                "notes": shown.payload["notes"],
+                "file": str(written),
+                "bytes": size,
+            }
+        )
+    elif not common.quiet:
+        rows = [("material", material.name) for material in shown.materials]
+        if held:
+            rows.append(("points", f"{held['count']:,} pairs of directions, {len(held['hours'])} scans"))
+        rows += [("note", note) for note in shown.payload["notes"]]
+        console.print_facts([*rows, ("written", f"{written} ({size / 1e6:.2f} MB)")])
+    return 0
+
+
+def _read(path: str, reading: Reading, common: Common) -> Measurement:
+    from motes.cli import console, paths
+    from motes.errors import DataError
+    from motes.measurements import Measurement, read
+
+    with console.progress(common, f"reading {Path(path).name}"):
+        found = read(paths.existing(path), **reading.options())
+    if not isinstance(found, Measurement):
+        raise DataError(
+            f"{path} holds maps of parameters: a material for every texel",
+            "motes render shows maps; motes info says what they hold",
+        )
+    return found
+
+
+def _fit(data: Measurement, model: str, common: Common) -> Any:
+    from motes.cli import console
+    from motes.fitting import fit
+
+    with console.progress(common, f"fitting {data.name}") as progress:
+        return fit(data, model=model, progress=progress)
+
+
+def _fit_json(path: Path) -> dict[str, Any] | None:
+    """What motes fit wrote beside the material; None when it cannot be read, for the material can be shown without."""
+    import json
+
+    try:
+        if path.stat().st_size > LARGEST_FIT:
+            return None
+        found = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError, RecursionError):
+        return None
+    return found if isinstance(found, dict) else None
+
+
+def _own_data(fitted: dict[str, Any] | None, notes: list[str]) -> Measurement | None:
+    """The data that a fit was made of, read again where they still are."""
+    from motes.errors import MotesError
+    from motes.measurements import Measurement, read
+
+    about = (fitted or {}).get("measurement")
+    if not isinstance(about, dict) or not isinstance(about.get("path"), str):
+        return None
+    options = {key: str(about[key]) for key in ("sample", "format") if about.get(key)}
+    try:
+        found = read(about["path"], **options)
+    except (MotesError, OSError, TypeError, ValueError):
+        notes.append("The measured data of this fit are not where they were; --data shows them over the material.")
+        return None
+    if not isinstance(found, Measurement):
+        return None
+    times = about.get("times")
+    if isinstance(times, list) and len(times) < found.n_times:  # one scan of several was fitted
+        index = [k for k, t in enumerate(found.times) if t in times]
+        found = found.at(index[0]) if len(index) == 1 else found
+    return found

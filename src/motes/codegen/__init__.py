@@ -1,1 +1,0 @@
-"""Printing expression graphs (`motes.tracing`) as source text: one file a target, over a shared printer."""

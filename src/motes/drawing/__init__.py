@@ -1,0 +1,1 @@
+"""What pages and pictures are drawn with: colour, markup, SVG, lit spheres."""

@@ -1,0 +1,5 @@
+"""Files: read without trust, written whole or not at all."""
+
+from motes.files.writing import replacing, write_text
+
+__all__ = ["replacing", "write_text"]

@@ -1,0 +1,1 @@
+"""Formulas as graphs: recorded, differentiated, separated; what depends on what."""

@@ -1,0 +1,208 @@
+"""What the shading languages share: typed statements with the names of the source.
+
+`body` prints a recorded model as the inside of a function, `define` as a whole one.  Parameters that have a value for each channel are
+either colours, in languages that compute with three numbers at once, or entries of arrays, with a loop over the channels.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from motes.graph import tracing
+from motes.graph.tracing import Symbol
+from motes.printing.auxiliary import elementary, outlined
+from motes.printing.language import CONSTANTS, Language, comment, indented
+from motes.printing.names import Name, Recording
+from motes.printing.printer import INFIX, LEVELS, Target, steps
+
+_WORDS = """auto break case char const continue default do double else enum extern float for goto if int long register return short signed sizeof
+static struct switch typedef union unsigned void volatile while true false bool half wi wo f c p"""
+_RESERVED = frozenset(_WORDS.split())
+
+
+@dataclass(frozen=True)
+class Body:
+    """The inside of a function that evaluates a model.
+
+    Attributes
+    ----------
+    constants
+        Declarations of the named numbers that the statements use.
+    shared
+        Statements for all channels together.
+    each
+        Those for colours, or for one channel.
+    result
+        The value; a colour where `colored`.
+    functions
+        Definitions that must come before.
+    """
+
+    constants: list[str]
+    shared: list[str]
+    each: list[str]
+    result: str
+    colored: bool
+    functions: list[str] = field(default_factory=list)
+
+
+def body(
+    recording: Recording,
+    language: Language,
+    *,
+    prefix: str,
+    given: Mapping[Symbol, str],
+    split: Collection[str],
+    vectors: bool = True,
+    first: Callable[[Symbol], Symbol] | None = None,
+) -> Body:
+    """Print a recorded model.
+
+    Parameters
+    ----------
+    recording
+        From `motes.printing.names.record`.
+    prefix
+        Of the functions that are defined on the way.
+    given
+        The texts of the leaves.
+    split
+        Slots with a value for each channel.
+    vectors
+        True where such parameters are colours, False where they are numbers in a loop over the channels.
+    first
+        Which operand of a minimum or maximum is written first, where functions ``prefix_min`` and ``prefix_max`` stand for these.
+    """
+    trace = recording.trace
+    outputs = trace.outputs
+    many = {p.symbol for p in trace.parameters if p.slot in split}
+    colored = {s for s, bit in tracing.dependence(outputs, dict.fromkeys(many, 1)).items() if bit}
+    taken = {*_RESERVED, *language.reserved, *given.values(), *(name for name, _ in CONSTANTS.values())}
+    taken |= {re.split(r"\W", text)[0] for text in given.values()}
+    if first is not None:
+        language = replace(language, templates={**language.templates, **_extrema(prefix)})
+    target = _target(language, outputs, colored if vectors else frozenset(), prefix)
+    calls, functions = outlined(recording, language, target, prefix, given, colored)
+    names = _names(recording, taken, dict(given) | calls)
+    if first is not None:
+        swapped = {s for s in tracing.live(outputs) if s.op in _EXTREMA and first(s) is not s.args[0]}
+        target = replace(target, inline={s: _extrema(prefix, "{1}, {0}")[s.op] for s in swapped})
+    done, (result,) = steps(target, outputs, dict(given) | calls, names)
+    lines: dict[bool, list[str]] = {False: [], True: []}
+    for step in done:
+        block = lines[step.symbol in colored]
+        block += _commented(recording.names.get(step.symbol), first=not any(lines.values()))
+        block.append(language.declare(language.type(step.symbol, colored if vectors else ()), step.name, step.value))
+    code = [*lines[False], *lines[True], result]
+    own = [op for op in language.own if f"{prefix}_{op}(" in "\n".join([*code, *functions])]
+    functions = [*(elementary(language, op, prefix) for op in own), *functions]
+    return Body(language.named_constants(code), lines[False], lines[True], result, outputs[0] in colored, functions)
+
+
+def components(recording: Recording, language: Language) -> dict[Symbol, str]:
+    """The texts of the components of ``wi`` and ``wo``."""
+    texts = [part.format(w) for w in ("wi", "wo") for part in language.components]
+    return dict(zip(recording.trace.directions, texts, strict=True))
+
+
+def define(
+    recording: Recording, language: Language, *, name: str, prefix: str, split: Collection[str], channels: int
+) -> list[str]:
+    """Lines that define the helpers and the function `name`, whose arguments are ``wi, wo`` and the parameters.
+
+    With one channel or three it returns a colour; with others it fills an array ``f``.
+    """
+    parameters = recording.trace.parameters
+    arrays = channels not in (1, 3)
+    words = {
+        "number": language.number,
+        "color": language.color,
+        "direction": language.direction,
+        "count": str(channels),
+        "name": name,
+    }
+    given = components(recording, language)
+    arguments = [language.argument.format(type=language.direction, name=w) for w in ("wi", "wo")]
+    first = [language.array_first.format(**words)] if arrays and language.array_first else []
+    for parameter in parameters:
+        many = parameter.slot in split
+        slot = words | {"name": parameter.slot}
+        given[parameter.symbol] = parameter.slot
+        if not (many and arrays):
+            type_ = language.color if many else language.number
+            arguments.append(language.argument.format(type=type_, name=parameter.slot))
+            continue
+        arguments.append(language.array_argument.format(**slot))
+        given[parameter.symbol] = f"{parameter.slot}[c]"
+        if language.array_copy:
+            given[parameter.symbol] = f"{parameter.slot}_all[c]"
+            first.append(language.array_copy.format(**slot))
+    printed = body(recording, language, prefix=prefix, given=given, split=split, vectors=not arrays)
+    words["arguments"] = ", ".join(arguments)
+    if arrays:
+        head = language.array_header.format(**words)
+        loop = [*printed.each, f"f[c] = {printed.result};"]
+        inside = [*first, *printed.shared, language.loop.format(**words) + " {", *indented(loop), "}"]
+        inside += [language.array_last] if language.array_last else []
+    else:
+        head = language.color_header.format(**words)
+        result = printed.result if printed.colored else language.splat.format(printed.result)
+        inside = [*printed.shared, *printed.each, f"return {result};"]
+    lines = [line for function in printed.functions for line in [*function.split("\n"), ""]]
+    return [*lines, f"{language.qualifier}{head} {{", *indented([*printed.constants, *inside]), "}"]
+
+
+_EXTREMA = {"minimum": "min", "maximum": "max"}
+
+
+def _extrema(prefix: str, order: str = "{0}, {1}") -> dict[str, str]:
+    return {op: f"{prefix}_{short}({order})" for op, short in _EXTREMA.items()}
+
+
+def _commented(name: Name | None, first: bool) -> list[str]:
+    """The comment above a statement, after an empty line."""
+    if name is None or not (name.comment or name.formula):
+        return []
+    lines = [line for paragraph in name.comment for line in comment(paragraph)]
+    if name.equation and name.formula:
+        lines += comment(f"{name.text} = {name.formula}", indent="  ")
+    return lines if first else ["", *lines]
+
+
+def _target(language: Language, outputs: Sequence[Symbol], colored: Collection[Symbol], prefix: str) -> Target:
+    """The printer's table, with templates for the operations that mix numbers and colours."""
+    templates = {**INFIX, **language.templates, **{op: f"{prefix}_{op}({{0}})" for op in language.own}}
+    inline: dict[Symbol, str] = {}
+    special: dict[Symbol, str] = {}
+    for symbol in tracing.live(outputs):
+        if symbol not in colored:
+            continue
+        if symbol.op in ("minimum", "maximum", "where"):
+            parts = [
+                f"{{{k}}}" if a in colored or (symbol.op == "where" and k == 0) else language.splat.format(f"{{{k}}}")
+                for k, a in enumerate(symbol.args)
+            ]
+            inline[symbol] = templates[symbol.op].format(*parts)
+        elif symbol.op in language.own:
+            parts = [f"{prefix}_{symbol.op}({part})" for part in language.components]
+            special[symbol] = f"{language.color}({', '.join(parts)})"
+    return Target(templates, language.text, special=special, inline=inline, levels=LEVELS)
+
+
+def _names(recording: Recording, taken: Collection[str], given: Mapping[Symbol, str]) -> dict[Symbol, str]:
+    """A name of its own for every symbol that the source names; a second ``D`` is ``D_2``."""
+    used = set(taken)
+    names: dict[Symbol, str] = {}
+    for symbol in tracing.live(recording.trace.outputs):
+        name = recording.names.get(symbol)
+        if name is None or symbol in given:
+            continue
+        text, count = name.text, 1
+        while text in used or re.fullmatch(r"t\d+", text):  # the printer has t0, t1, ...
+            count += 1
+            text = f"{name.text}_{count}"
+        used.add(text)
+        names[symbol] = text
+    return names

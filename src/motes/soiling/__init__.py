@@ -1,0 +1,1 @@
+"""The study of mirrors that gather dust at real sites."""
