@@ -300,3 +300,29 @@ def test_rewriting_replaces_operations_and_keeps_the_rest() -> None:
     assert new[0] is graph.exp(a * (1 / b)) + a
     assert new[1] is other
     assert all(symbol.op != "div" or symbol.args[0].is_constant(1) for symbol in tracing.live(new))
+
+
+def test_a_squared_leaf_gives_the_same_values_and_a_slope_at_zero() -> None:
+    """Oren-Nayar depends on sigma_d^2: in that coordinate nothing is left of the root, and the slope at 0 is the limit."""
+    model = OrenNayar(K_d=0.6, sigma_d=0.3)
+    plain, square = tracing.trace(model), tracing.trace(model, squared=("sigma_d",))
+    leaf = next(p.symbol for p in square.parameters if p.slot == "sigma_d")
+    assert not any(s.op == "sqrt" and s.args[0] is leaf for s in tracing.live(square.outputs))
+    w = np.array([[0.3, 0.1, 0.9], [-0.6, 0.2, 0.7]])
+    w /= np.linalg.norm(w, axis=1, keepdims=True)
+
+    def value(trace: tracing.Trace, sigma: float, slopes: bool = False) -> float:
+        leaves = dict(zip(trace.directions, w.ravel(), strict=True))
+        given = {"K_d": 0.6, "sigma_d": sigma}
+        leaves |= {p.symbol: np.float64(given[p.slot]) for p in trace.parameters}
+        outputs = trace.outputs
+        if slopes:
+            outputs = [tracing.forward(outputs, [leaf])[0][leaf]]
+        return float(tracing.evaluate(NUMPY, outputs, leaves)[0])
+
+    for sigma in (0.0, 0.2, 1.1):
+        assert value(square, sigma**2) == pytest.approx(value(plain, sigma), rel=1e-14)
+    step = 1e-6
+    difference = (value(square, step) - value(square, 0.0)) / step
+    assert value(square, 0.0, slopes=True) == pytest.approx(difference, rel=1e-4)
+    assert abs(difference) > 1e-3

@@ -57,6 +57,8 @@ class Parameter:
         True for a `per_channel` parameter that a fit holds equal over the channels unless asked otherwise.
     advice
         A sentence for those who go out of bounds.
+    squared
+        True where a model depends on the square of the parameter alone: its slope at 0 is 0, and a fit moves in the square.
     """
 
     name: str
@@ -72,6 +74,7 @@ class Parameter:
     per_channel: bool
     shared_in_fit: bool
     advice: str
+    squared: bool
 
     def check(self, owner: str, value: Array) -> Array:
         """`value` as a float or a read-only float array, within bounds; tensors and symbols pass as they are."""
@@ -149,6 +152,7 @@ def parameter(
     per_channel: bool = False,
     shared_in_fit: bool = False,
     advice: str = "",
+    squared: bool = False,
 ) -> Any:
     """Declare a parameter as a dataclass field; see `Parameter`."""
     declared = {
@@ -164,6 +168,7 @@ def parameter(
         "per_channel": per_channel,
         "shared_in_fit": shared_in_fit,
         "advice": advice,
+        "squared": squared,
     }
     return field(default=default, metadata={"parameter": declared})
 

@@ -11,7 +11,7 @@ gives NaN, through the terms that are not multiplied by a constant 0.  No other 
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -373,7 +373,7 @@ def key(model: Parametrised, channels: int) -> tuple[Any, ...]:
     return (structure(model), channels, split_slots(model, channels))
 
 
-def trace(model: Parametrised, channels: int = 1, *, horizon: bool = True) -> Trace:
+def trace(model: Parametrised, channels: int = 1, *, horizon: bool = True, squared: Collection[str] = ()) -> Trace:
     """Record ``model.value`` for a number of channels.
 
     Parameters
@@ -385,6 +385,9 @@ def trace(model: Parametrised, channels: int = 1, *, horizon: bool = True) -> Tr
         Number of channels, at least 1.
     horizon
         False to record ``model.formula``, which holds above the horizon only: for data that has nothing below.
+    squared
+        Slots whose leaf is the *square* of the parameter: what a fit moves in where a model depends on nothing else
+        (`Parameter.squared`), since the slope by the parameter itself is 0 at 0.
     """
     graph = Graph()
     directions = tuple(graph.leaf(f"{w}.{axis}") for w in ("wi", "wo") for axis in "xyz")
@@ -398,8 +401,21 @@ def trace(model: Parametrised, channels: int = 1, *, horizon: bool = True) -> Tr
     geometry = Geometry(graph, Vector(*directions[:3]), Vector(*directions[3:]))
     outputs = []
     for c in range(channels):
-        symbols = {p.slot: p.symbol for p in parameters if p.channel in (None, c)}
+        symbols = {
+            p.slot: graph.sqrt(p.symbol) if p.slot in squared else p.symbol
+            for p in parameters
+            if p.channel in (None, c)
+        }
         channel = model.with_parameters(symbols)
         recorded = channel.value if horizon else channel.formula  # type: ignore[attr-defined]
         outputs.append(graph.lift(recorded(graph, geometry)))
+    if squared:
+        outputs = rewritten(outputs, _square_of_root)
     return Trace(graph, directions, tuple(parameters), tuple(outputs))
+
+
+def _square_of_root(symbol: Symbol, args: tuple[Symbol, ...]) -> Symbol | None:
+    """The square of a leaf's root is the leaf."""
+    if symbol.op == "mul" and args[0] is args[1] and args[0].op == "sqrt" and args[0].args[0].op == "leaf":
+        return args[0].args[0]
+    return None

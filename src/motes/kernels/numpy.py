@@ -115,7 +115,9 @@ class FitFunction:
 _functions: dict[tuple[Any, ...], FitFunction] = {}
 
 
-def residual_function(model: Parametrised, fitted: Sequence[str], *, horizon: bool = True) -> FitFunction:
+def residual_function(
+    model: Parametrised, fitted: Sequence[str], *, horizon: bool = True, squared: Sequence[str] = ()
+) -> FitFunction:
     """Values and derivatives of `model` as functions of its parameters; made once for each kind of model and set of names.
 
     Parameters
@@ -126,10 +128,12 @@ def residual_function(model: Parametrised, fitted: Sequence[str], *, horizon: bo
         The slots to differentiate by.
     horizon
         False when no direction is at or below the horizon: the function then does not look.
+    squared
+        Slots that are given as their square; see `motes.graph.tracing.trace`.
     """
-    key = (tracing.structure(model), tuple(fitted), horizon)
+    key = (tracing.structure(model), tuple(fitted), horizon, tuple(squared))
     if key not in _functions:
-        _functions[key] = _generate(tracing.trace(model, 1, horizon=horizon), tuple(fitted))
+        _functions[key] = _generate(tracing.trace(model, 1, horizon=horizon, squared=squared), tuple(fitted))
     return _functions[key]
 
 

@@ -45,6 +45,7 @@ class OrenNayar(BRDF):
         symbol="\\sigma_d",
         unit="rad",
         doc="standard deviation of the facets' slope angle",
+        squared=True,
     )
 
     def formula(self, xp: Array, geometry: Geometry) -> Array:
