@@ -1,7 +1,7 @@
 """exp, expm1 and asin as straight-line polynomials that LLVM vectorises; it calls libm, one number at a time, for the usual ones.
 
 The coefficients are minimax, printed by ``tools/minimax.py``.  Errors over the whole domain, measured against wider arithmetic by
-``tests/test_codegen_elementary.py``, in units of the last place of the result:
+``tests/test_printing_elementary.py``, in units of the last place of the result:
 
 =========  =======  ====================================================================================
 function   at most  edges

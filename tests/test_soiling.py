@@ -12,7 +12,7 @@ import motes
 from motes.directions import from_spherical
 from motes.errors import DataError, FormatError, ParameterError
 from motes.material import Material
-from motes.soiling import spreadsheet as _xlsx
+from motes.soiling import spreadsheet
 from motes.soiling.mirrors import Series, Soiling, cleanings, fit_soiling, growth, read_soiling, slant
 
 THETA = np.deg2rad(15)
@@ -148,7 +148,7 @@ def book(path: Path, sheet: str, head: str = "") -> Path:
 
 def test_cells_go_where_they_say(tmp_path: Path) -> None:
     rows = '<row><c r="A1" t="s"><v>0</v></c><c r="C1"><v>2.5</v></c><c r="AB1" t="str"><v>x</v></c></row><row><c><v>7</v></c><c r="B2"/></row>'
-    found = _xlsx.read(book(tmp_path / "b.xlsx", rows), ["A"])["A"]
+    found = spreadsheet.read(book(tmp_path / "b.xlsx", rows), ["A"])["A"]
     assert found[0][:3] == ["Time", None, 2.5]
     assert (found[0][27], len(found[0])) == ("x", 28)
     assert found[1] == [7.0]
@@ -167,12 +167,12 @@ def test_cells_go_where_they_say(tmp_path: Path) -> None:
 def test_damaged_spreadsheets_are_named(make: object, message: str, tmp_path: Path) -> None:
     make(tmp_path / "b.xlsx")  # type: ignore[operator]
     with pytest.raises(FormatError, match=message):
-        _xlsx.read(tmp_path / "b.xlsx", ["A"])
+        spreadsheet.read(tmp_path / "b.xlsx", ["A"])
 
 
 def test_a_missing_sheet_is_named(tmp_path: Path) -> None:
     with pytest.raises(FormatError, match="no sheet 'B'"):
-        _xlsx.read(book(tmp_path / "b.xlsx", ""), ["B"])
+        spreadsheet.read(book(tmp_path / "b.xlsx", ""), ["B"])
 
 
 # ------------------------------------------------------------ the measured mirrors

@@ -23,7 +23,7 @@ from motes.report.time_page import SECTIONS, changes, render
 from motes.report.time_plots import Times, narrowed, relative_rms
 from motes.trends import Trend
 from report_fits import goniometer
-from test_report_page import HOSTILE, Page
+from test_report_fit_page import HOSTILE, Page
 
 HOURS = (0.0, 0.5, 1.0, 2.0, 3.5, 6.0)
 
