@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-# Any of: float, numpy.ndarray, torch.Tensor, jax.Array, a Dr.Jit array, motes.graph.tracing.Symbol.
+# Any of: float, numpy.ndarray, torch.Tensor, jax.Array, a Dr.Jit array, motes.graph.symbols.Symbol.
 Array = Any
 
 
@@ -179,7 +179,7 @@ def namespace(*arrays: Array) -> Any:
         Inputs of an evaluation: directions and parameters, of any shapes.
     """
     for x in arrays:
-        graph = getattr(x, "graph", None)  # motes.graph.tracing.Symbol
+        graph = getattr(x, "graph", None)  # motes.graph.symbols.Symbol
         if graph is not None and hasattr(graph, "leaf"):
             return graph
         library = _library(x)

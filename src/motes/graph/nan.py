@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from motes.graph.tracing import Symbol, live
+from motes.graph.dependence import live
+from motes.graph.symbols import Symbol
 
 
 def careful(outputs: Sequence[Symbol], leaves: Collection[Symbol]) -> set[Symbol]:

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from motes.graph import tracing
-from motes.graph.tracing import DIRECTIONS, PARAMETERS, Symbol
+from motes.graph.dependence import DIRECTIONS, PARAMETERS, live, rewritten
+from motes.graph.symbols import Symbol
 
 #: Products of parameter-only symbols (their factors in order) and the factor that depends on directions.
 Terms = dict[tuple[Symbol, ...], Symbol]
@@ -75,13 +75,13 @@ def gathered(outputs: Sequence[Symbol], leaves: Mapping[Symbol, int]) -> list[Sy
         parts[result] = (fixed, mixed, free)
         return result
 
-    return tracing.rewritten(outputs, rule)
+    return rewritten(outputs, rule)
 
 
 def clamps(outputs: Sequence[Symbol], bits: Mapping[Symbol, int]) -> list[Symbol]:
     """What the outputs clamp at a constant, ``maximum(a, constant)``, and depends on parameters: the symbols `a`."""
     found = []
-    for symbol in tracing.live(outputs):
+    for symbol in live(outputs):
         if symbol.op == "maximum" and bits[symbol] & ~DIRECTIONS:
             a, b = symbol.args
             if a.op == "constant" or b.op == "constant":
@@ -98,7 +98,7 @@ def unclamped(outputs: Sequence[Symbol], bits: Mapping[Symbol, int]) -> list[Sym
             return None
         return args[0] if symbol.args[0] in inner else args[1]
 
-    return tracing.rewritten(outputs, rule)
+    return rewritten(outputs, rule)
 
 
 def terms(output: Symbol, bits: Mapping[Symbol, int]) -> Terms:
@@ -109,10 +109,10 @@ def terms(output: Symbol, bits: Mapping[Symbol, int]) -> Terms:
     output
         A formula, `gathered` (negations are factors then).
     bits
-        Of every symbol, see `motes.graph.tracing.dependence`; symbols without the bit `DIRECTIONS` can be factors.
+        Of every symbol, see `motes.graph.dependence.dependence`; symbols without the bit `DIRECTIONS` can be factors.
     """
     known: dict[Symbol, Terms] = {}
-    for symbol in tracing.live([output]):
+    for symbol in live([output]):
         known[symbol] = _terms(symbol, known, bits)
     return known[output]
 
