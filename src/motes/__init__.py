@@ -1,11 +1,13 @@
 """Motes: reflectance that changes with time, from measurement to picture.
 
-Names are imported when first used, so that ``import motes`` is light and ``motes --help`` answers at once.
+Names are imported when first used, so that ``import motes`` is light and ``motes --help`` answers at once.  As the one file that knows all
+rooms, it also says which of them writes the pages that results are handed to (`motes.outlets`).  No other file imports it.
 """
 
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from motes import outlets
 from motes.version import __version__
 
 if TYPE_CHECKING:
@@ -46,6 +48,10 @@ _HOMES = {
     "View": "viewer",
     "view": "viewer",
 }
+
+outlets.offer("fit", "motes.report.fit_page", "write_report")
+outlets.offer("fit over time", "motes.report.time_page", "write_time_report")
+outlets.offer("fitted map", "motes.report.map_page", "write_map_page")
 
 
 def __getattr__(name: str) -> object:

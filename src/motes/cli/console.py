@@ -84,3 +84,42 @@ def progress(common: Common, label: str) -> Iterator[Progress | None]:
             bar.update(task, completed=done, total=total, description=f"{label}: {clean(what)}")
 
         yield step
+
+
+@contextmanager
+def texel_progress(common: Common, label: str) -> Iterator[Progress | None]:
+    """A progress bar with rate and time left on standard error while a terminal looks at it, else None."""
+    if common.quiet or common.json or not on_terminal(sys.stderr):
+        yield None
+        return
+    from rich import progress as bars
+    from rich.text import Text
+
+    class Rate(bars.ProgressColumn):
+        """Texels a second."""
+
+        def render(self, task: bars.Task) -> Text:
+            return Text(f"{task.speed:,.0f} texels/s" if task.speed else "")
+
+    columns = (
+        bars.SpinnerColumn(),
+        bars.TextColumn("{task.description}", markup=False),
+        bars.BarColumn(bar_width=30),
+        bars.TaskProgressColumn(),
+        Rate(),
+        bars.TextColumn("left"),
+        bars.TimeRemainingColumn(),
+    )
+    with bars.Progress(*columns, console=Console(stderr=True), transient=True, speed_estimate_period=60) as bar:
+        task = bar.add_task(label, total=None)
+        began = False
+
+        def step(done: int, total: int, what: str) -> None:
+            nonlocal began
+            if total > 1 and not began:  # what an earlier run did is no part of the rate
+                began = True
+                bar.reset(task, total=total, completed=done, description=f"{label}: {clean(what)}")
+                return
+            bar.update(task, completed=done, total=total if total > 1 else None, description=f"{label}: {clean(what)}")
+
+        yield step

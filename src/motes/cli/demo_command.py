@@ -32,7 +32,7 @@ def demo(
         Fit one of the twelve scans alone, from 0; -1 is the last.
     """
     from motes.cli import console
-    from motes.cli.fit_command import fit_and_write, load_measurement
+    from motes.cli.fitting_measurements import fit_and_write, load_measurement
 
     folder = Path(output)
     plaster = folder / "plaster"

@@ -30,14 +30,12 @@ def info(
         A file or folder: measurements, a material.json, the folder that motes fit wrote, or a map (Zarr).
     """
     from motes.cli import console
-    from motes.cli.paths import existing, material_at
+    from motes.cli.paths import existing, is_map, material_at
     from motes.measurements import list_samples, read
 
     path = existing(data)
-    from motes.cli import fit_map_command as fit_map
-
-    if fit_map.is_map(data):
-        return fit_map.info(data, common)
+    if is_map(data):
+        return _map(data, common)
     if file := material_at(path):
         from motes.material import load
 
@@ -162,3 +160,21 @@ def _text(value: Any) -> str:
     if isinstance(value, dict):
         return ", ".join(f"{key} {_text(v)}" for key, v in value.items())
     return str(value)
+
+
+def _map(data: str, common: Common) -> int:
+    """What a map holds."""
+    from motes.cli import console
+    from motes.cli.printed_maps import show_fitted, stack_rows
+    from motes.maps import FittedMap, open_map
+
+    found = open_map(data)
+    summary = found.summary()
+    if common.json:
+        console.print_json(summary)
+    elif not common.quiet:
+        if isinstance(found, FittedMap):
+            show_fitted(found, summary, {}, [])
+        else:
+            console.print_facts(stack_rows(summary))
+    return 0

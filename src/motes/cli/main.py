@@ -1,8 +1,4 @@
-"""The command ``motes``: a thin shell over the library; each command is in `motes.cli`.
-
-Exit status: 0 done, 1 a fit did not converge, 2 bad input or usage, 3 a defect of motes, 130 interrupted, 141 the
-reader of the output went away.
-"""
+"""The command ``motes``: a thin shell over the library; each command is in `motes.cli`, exit statuses in `motes.cli.statuses`."""
 
 from __future__ import annotations
 
@@ -13,13 +9,14 @@ import sys
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
+from motes.cli.statuses import BROKEN_PIPE, DEFECT, DONE, INTERRUPTED, USAGE
+
 if TYPE_CHECKING:
     from cyclopts import App
 
 HELP = """Reflectance that changes with time: measured, fitted, rendered.
 
 motes COMMAND --help shows the options of a command; motes demo is a good start."""
-USAGE, DEFECT, INTERRUPTED, BROKEN_PIPE = 2, 3, 130, 141
 
 
 def make_app() -> App:
@@ -100,9 +97,9 @@ def _run(arguments: list[str]) -> int:
         from motes.version import __version__
 
         print(f"motes {__version__}")
-        return 0
+        return DONE
     status = make_app()(arguments, exit_on_error=False, print_error=False, result_action="return_value")
-    return status if isinstance(status, int) else 0
+    return status if isinstance(status, int) else DONE
 
 
 def _abandon_output() -> None:

@@ -120,3 +120,12 @@ def _remove_empty(folders: list[Path]) -> None:
             folder.rmdir()
         except OSError:
             return
+
+
+def is_map(data: str) -> bool:
+    """Whether the argument of a command is a Zarr store; looks at names only."""
+    folder = Path(data)
+    try:
+        return folder.suffix == ".zarr" or any((folder / n).is_file() for n in ("zarr.json", ".zgroup", ".zarray"))
+    except (OSError, ValueError):  # no path at all; the command says so
+        return False

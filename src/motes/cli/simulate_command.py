@@ -74,10 +74,8 @@ def simulate(
     from motes.errors import MotesError
 
     if folder.rstrip("/").endswith(".zarr"):
-        from motes.cli.fit_map_command import simulate_map
-
         given = {"--material": material, "--model": model, "--phenomenon": phenomenon, "--set": set or None}
-        return simulate_map(folder, size, scans, hours, noise, seed, [o for o, v in given.items() if v], common)
+        return _simulate_map(folder, size, scans, hours, noise, seed, [o for o, v in given.items() if v], common)
     if size is not None:
         raise MotesError("--size is for maps", "Give a folder whose name ends in .zarr")
     surface, name, process = _surface(material, model, phenomenon, numbers(set, "--set"), hours)
@@ -153,3 +151,25 @@ def _surface(
     from motes.ageing import drying_plaster
 
     return drying_plaster, "dusty plaster", "drying"
+
+
+def _simulate_map(
+    folder: str, size: int | None, scans: int, hours: float, noise: float, seed: int, refused: list[str], common: Common
+) -> int:
+    """Write a simulated map."""
+    from motes.cli import console
+    from motes.cli.printed_maps import stack_rows
+    from motes.errors import MotesError
+    from motes.maps import simulate_map
+
+    if refused:
+        raise MotesError(f"{refused[0]} is not offered for maps", "The map is of a painted surface that dries")
+    n = 64 if size is None else size
+    with console.texel_progress(common, "texels") as step:
+        stack = simulate_map(folder, (n, n), times=scans, hours=hours, noise=noise, seed=seed, progress=step)
+    if common.json:
+        console.print_json(stack.summary())
+    elif not common.quiet:
+        rows = [row for row in stack_rows(stack.summary()) if row[0] in ("size", "times")]
+        console.print_facts([("written", folder), *rows, ("next", f"motes fit {folder}")])
+    return 0

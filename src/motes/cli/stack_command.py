@@ -40,7 +40,7 @@ def stack(
         Texels along a side of a chunk.
     """
     from motes.cli import console, paths
-    from motes.cli.fit_map_command import stack_rows
+    from motes.cli.printed_maps import stack_rows
     from motes.errors import MotesError
     from motes.maps import import_images
 

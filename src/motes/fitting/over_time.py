@@ -13,6 +13,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from motes import outlets
 from motes.errors import DataError, MotesError
 from motes.fitting.joint import Alternative, Joint, determined, first_guess, select, steady_values
 from motes.fitting.losses import LOSSES, ROBUST, Floats
@@ -154,9 +155,7 @@ class TimeFit:
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Write a self-contained HTML report; returns its path."""
-        from motes.report import write_time_report
-
-        return write_time_report(self, path)
+        return outlets.report("fit over time", self, path)
 
 
 def fit_over_time(

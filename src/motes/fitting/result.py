@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, final
 import numpy as np
 from numpy.typing import NDArray
 
+from motes import outlets
 from motes.arrays import Array
 from motes.material import Material
 from motes.models import BRDF
@@ -177,6 +178,4 @@ class Fit:
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Write a self-contained HTML report; returns its path."""
-        from motes.report import write_report
-
-        return write_report(self, path)
+        return outlets.report("fit", self, path)

@@ -14,6 +14,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
+from motes import outlets
 from motes.errors import DataError, FormatError, MotesError
 from motes.fitting.texels import TexelFit
 from motes.maps import zarrs
@@ -206,9 +207,7 @@ class FittedMap:
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Write a page that shows the maps; it needs no network."""
-        from motes.report.map_page import write_map_page
-
-        return write_map_page(self, path)
+        return outlets.report("fitted map", self, path)
 
     # ------------------------------------------------------------ writing
 

@@ -20,6 +20,7 @@ from motes.rendering.arrangement import each_titled, layout, mosaic, words
 from motes.rendering.passes import FILM, Look
 from motes.rendering.rays import Progress
 from motes.rendering.stage import SMALL, measured_stage, stage
+from motes.version import __version__
 
 Floats = NDArray[np.floating[Any]]
 STILLS = (".png", ".exr")
@@ -247,8 +248,7 @@ def digest_of(path: str | os.PathLike[str] | None) -> str:
 
 
 def _versions() -> list[str]:
-    import motes
     from motes.rendering import load_mitsuba
 
     mi = load_mitsuba()
-    return [motes.__version__, mi.__version__, mi.variant()]
+    return [__version__, mi.__version__, mi.variant()]

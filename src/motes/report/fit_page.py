@@ -11,7 +11,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-import motes
 from motes.drawing.colour import channels_to_srgb, data_uri, png, srgb_encode
 from motes.drawing.markup import Html, tag
 from motes.drawing.sphere import LIGHTS, sphere_radiances
@@ -22,6 +21,7 @@ from motes.report.figures import shown_channels
 from motes.report.findings import count, percent
 from motes.report.sections import Context
 from motes.report.slices import Samples, Slices, near_mirror, polar_slices
+from motes.version import __version__
 
 POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'"
 SPHERE_SIZE = 320  # shown at three quarters of it or less: sharp on dense screens too
@@ -187,7 +187,7 @@ def _footer() -> Html:
             "values are f in 1/sr without the "
             "cosine, linear; angles are radians in numbers and degrees in pictures; D of Torrance-Sparrow is not normalised unless the model says facets.",
         ),
-        tag("p", f"Motes {motes.__version__}. This page is self-contained: it asks the network for nothing."),
+        tag("p", f"Motes {__version__}. This page is self-contained: it asks the network for nothing."),
     )
 
 

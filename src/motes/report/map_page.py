@@ -10,7 +10,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-import motes
 from motes.drawing.colour import channels_to_srgb, data_uri, png, sequential, srgb_encode
 from motes.drawing.markup import Html, table, tag
 from motes.drawing.svg import number
@@ -20,6 +19,7 @@ from motes.maps.fitted import FittedMap
 from motes.maps.layout import FLAGS, NOT_FITTED
 from motes.report.figures import color_bar, figure
 from motes.report.fit_page import POLICY
+from motes.version import __version__
 
 Pixels = NDArray[np.uint8]
 
@@ -185,7 +185,7 @@ def _page(fitted: FittedMap, strips: list[Strip]) -> str:
     heads = ("map", "lower quarter", "median", "upper quarter", "standard error (median)")
     parts += [tag("h2", "Numbers"), table(heads, rows)]
     parts += [tag("h2", "How sure"), *_errors(fitted, where), *_status(fitted, where, counts)]
-    footer = tag("footer", f"Motes {motes.__version__}. Fitted from {fitted.plan.settings.source}.")
+    footer = tag("footer", f"Motes {__version__}. Fitted from {fitted.plan.settings.source}.")
     return "<!doctype html>\n" + tag("html", head, tag("body", tag("main", *parts, footer)), lang="en") + "\n"
 
 

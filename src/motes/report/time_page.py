@@ -14,7 +14,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-import motes
 from motes.drawing.colour import channels_to_srgb, data_uri, png, srgb_encode
 from motes.drawing.markup import Html, join, table, tag
 from motes.drawing.sphere import LIGHTS, sphere_radiances
@@ -31,6 +30,7 @@ from motes.report.sections import Context
 from motes.report.slices import Samples, Slices, polar_slices
 from motes.report.time_plots import Times
 from motes.trends import KINDS
+from motes.version import __version__
 
 SPHERE_SIZE = 200
 MOMENTS = 7
@@ -545,7 +545,7 @@ def _footer() -> Html:
             "Conventions: wi points to the light, wo to the viewer, both away from the surface; θ is the angle from the normal; values are f in 1/sr without "
             "the cosine, linear; angles are radians in numbers and degrees in pictures.",
         ),
-        tag("p", f"Motes {motes.__version__}. This page is self-contained: it asks the network for nothing."),
+        tag("p", f"Motes {__version__}. This page is self-contained: it asks the network for nothing."),
     )
 
 

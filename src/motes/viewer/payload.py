@@ -9,7 +9,6 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
-import motes
 from motes.drawing.colour import channels_to_srgb
 from motes.errors import DataError, ParameterError
 from motes.exports import glsl
@@ -19,6 +18,7 @@ from motes.material import Material
 from motes.measurements import Measurement
 from motes.models import BRDF
 from motes.trends import Trend
+from motes.version import __version__
 from motes.viewer.contract import (
     VERSION,
     MaterialJson,
@@ -70,7 +70,7 @@ def payload(
     return {
         "format": "motes view",
         "version": VERSION,
-        "motes": motes.__version__,
+        "motes": __version__,
         "materials": views,
         "measurement": points,
         "notes": [*notes, *([points["note"]] if points and points["note"] else [])],
