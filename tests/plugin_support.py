@@ -6,11 +6,11 @@ from typing import Any
 
 import pytest
 
-from motes.rendering import _llvm, load_mitsuba, load_scene
+from motes.rendering import llvm, load_mitsuba, load_scene
 
-_llvm.prepared()  # before Dr.Jit loads
+llvm.prepared()  # before Dr.Jit loads
 pytest.importorskip("mitsuba")
-needs_llvm = pytest.mark.skipif(_llvm.prepared().path is None, reason="no LLVM that Dr.Jit can use")
+needs_llvm = pytest.mark.skipif(llvm.prepared().path is None, reason="no LLVM that Dr.Jit can use")
 
 
 def rgb(*color: float) -> dict[str, Any]:

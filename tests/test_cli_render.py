@@ -390,8 +390,8 @@ def test_without_llvm_the_preview_is_small_and_says_so(tmp_path: Path) -> None:
     # A folder for Python's prefix that has no wheel of LLVM in it, and an environment that names a library that is none.
     script = (
         "import sys; from pathlib import Path\n"
-        "from motes.rendering import _llvm\n"
-        "_llvm.candidates = lambda: [Path('/nonexistent/libLLVM.so')]\n"
+        "from motes.rendering import llvm\n"
+        "llvm.candidates = lambda: [Path('/nonexistent/libLLVM.so')]\n"
         "from motes.cli.main import main\n"
         "sys.exit(main(sys.argv[1:]))\n"
     )

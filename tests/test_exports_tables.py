@@ -13,7 +13,7 @@ from motes import Material
 from motes.ageing import age
 from motes.directions import from_half_difference, from_spherical
 from motes.errors import DataError, ParameterError
-from motes.exports import csv, export
+from motes.exports import csv_table, export
 from motes.exports.subject import subject
 from motes.models import BRDF, Dust
 from shader_support import MODELS, SPECTRAL
@@ -77,14 +77,14 @@ def test_merl_of_a_spectrum(tmp_path: Path) -> None:
 def test_csv_is_read_back(name: str, tmp_path: Path) -> None:
     model = (MODELS | {"spectral": SPECTRAL})[name]
     data = motes.read(export(model, "csv", tmp_path / "table.csv").files[0])
-    assert data.values.shape == (1, len(csv.grid()), model.channels)
+    assert data.values.shape == (1, len(csv_table.grid()), model.channels)
     assert data.mask.all()
     np.testing.assert_allclose(data.values[0], model.eval(data.wi, data.wo), rtol=1e-12)
 
 
 def test_no_row_is_there_twice() -> None:
     """At normal incidence all azimuths are one direction."""
-    theta_i, theta_r, phi = np.deg2rad(csv.grid()).T
+    theta_i, theta_r, phi = np.deg2rad(csv_table.grid()).T
     wi, wo = from_spherical(theta_i, 0 * phi), from_spherical(theta_r, phi)
     pairs = np.column_stack([wi[:, 2], wo[:, 2], np.sum(wi * wo, axis=1)]).round(9)
     assert len(np.unique(pairs, axis=0)) == len(pairs)
@@ -116,7 +116,7 @@ def test_csv_over_time(tmp_path: Path) -> None:
 )
 def test_names_of_columns(channels: tuple[str, ...], expected: list[str], tmp_path: Path) -> None:
     material = Material(MODELS["lambert"], name="a\nb,c", channels=channels)
-    assert csv.headings(subject(material)) == expected
+    assert csv_table.headings(subject(material)) == expected
     data = motes.read(export(material, "csv", tmp_path / "table.csv").files[0])
     assert list(data.channels) == expected
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from motes.rendering import _llvm
+from motes.rendering import llvm
 
 OLD = sorted(
     path
@@ -51,11 +51,11 @@ def python(
 
     The kernel cache of Dr.Jit is left out: a kernel that is taken from there is not compiled.
     """
-    environment = {k: v for k, v in os.environ.items() if k != _llvm.VARIABLE} | {"HOME": str(tmp_path)}
+    environment = {k: v for k, v in os.environ.items() if k != llvm.VARIABLE} | {"HOME": str(tmp_path)}
     if library is not None:
-        environment[_llvm.VARIABLE] = str(library)
+        environment[llvm.VARIABLE] = str(library)
     if found is not None:
-        script = f"import motes.rendering._llvm as L\nfrom pathlib import Path\nL._found = lambda: {found}\n{script}"
+        script = f"import motes.rendering.llvm as L\nfrom pathlib import Path\nL._found = lambda: {found}\n{script}"
     return subprocess.run(
         [sys.executable, "-W", "error", "-c", script], env=environment, capture_output=True, text=True, timeout=300
     )
@@ -146,7 +146,7 @@ def test_versions(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         asker.write_text(f"#!/bin/sh\necho {version}\n")
         asker.chmod(asker.stat().st_mode | stat.S_IXUSR)
         monkeypatch.setattr(sys, "executable", str(asker))
-        found, why = _llvm.refusal(Path("libLLVM.so"))
+        found, why = llvm.refusal(Path("libLLVM.so"))
         assert found == version
         usable = version in ("17.0.6", "23.1.4")
         assert bool(why) is not usable
@@ -159,15 +159,15 @@ def test_what_is_not_llvm_is_refused(tmp_path: Path) -> None:
     text.write_text("not a library")
     libc = next(Path("/usr/lib").glob("*-linux-gnu/libc.so.6"), Path("/lib64/libc.so.6"))
     missing, broken, other = tmp_path / "nothing.so", text, libc
-    choice = _llvm.choose([missing, broken, other, tmp_path / "a\nb"])
+    choice = llvm.choose([missing, broken, other, tmp_path / "a\nb"])
     assert choice.path is None
     assert len(choice.refused) == 4
     assert "No such file" in choice.refused[0]
     assert "invalid ELF header" in choice.refused[1] or "too short" in choice.refused[1]
     assert "it is not LLVM" in choice.refused[2]
-    message, hint = _llvm.missing(choice)
+    message, hint = llvm.missing(choice)
     assert message.startswith("no LLVM 17 or later was found")
-    assert _llvm.VARIABLE in hint
+    assert llvm.VARIABLE in hint
 
 
 @needs_linux
@@ -176,9 +176,9 @@ def test_a_library_that_crashes_when_it_loads_is_refused(tmp_path: Path, monkeyp
     asker.write_text("#!/bin/sh\nkill -ABRT $$\n")
     asker.chmod(0o755)
     monkeypatch.setattr(sys, "executable", str(asker))
-    assert _llvm.refusal(Path("libLLVM.so")) == ("", "loading it ended the process with code -6")
+    assert llvm.refusal(Path("libLLVM.so")) == ("", "loading it ended the process with code -6")
     monkeypatch.setattr(sys, "executable", str(tmp_path / "none"))
-    assert "it could not be tried" in _llvm.refusal(Path("libLLVM.so"))[1]
+    assert "it could not be tried" in llvm.refusal(Path("libLLVM.so"))[1]
 
 
 @pytest.mark.parametrize(
@@ -193,7 +193,7 @@ def test_a_library_that_crashes_when_it_loads_is_refused(tmp_path: Path, monkeyp
 )
 def test_versions_in_names(path: str, version: int) -> None:
     """Only to try the newest first, and to leave old ones out; the library itself is asked."""
-    assert _llvm._named_version(Path(path)) == version
+    assert llvm._named_version(Path(path)) == version
 
 
 @needs_linux
@@ -208,10 +208,10 @@ def test_order_of_candidates(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     (tmp_path / "link-19.so").symlink_to(files["libLLVM-19.so.1"])
     monkeypatch.setattr(sys, "prefix", str(tmp_path))
     monkeypatch.setattr(
-        _llvm, "_system", lambda: [files["libLLVM-19.so.1"], files["libLLVM.so.21.1"], tmp_path / "link-19.so"]
+        llvm, "_system", lambda: [files["libLLVM-19.so.1"], files["libLLVM.so.21.1"], tmp_path / "link-19.so"]
     )
-    monkeypatch.setenv(_llvm.VARIABLE, str(files["named.so"]))
-    assert [path.name for path in _llvm.candidates()] == [
+    monkeypatch.setenv(llvm.VARIABLE, str(files["named.so"]))
+    assert [path.name for path in llvm.candidates()] == [
         "named.so",
         "libLLVM.so.22.1",
         "libLLVM.so.21.1",

@@ -24,7 +24,7 @@ from motes.meshes import shapes as originals
 from motes.models import Lambert, parse
 from motes.models.expressions import FRESNEL, MODELS
 from motes.parameters import Parametrised
-from motes.viewer import declarations, library, shapes
+from motes.viewer import declarations, library, shipped_shapes
 from motes.viewer.page import page, policy, safe_json
 from motes.viewer.payload import MOST_DIRECTIONS, payload
 from motes.viewer.viewing import View, view
@@ -157,7 +157,7 @@ def test_the_page_finds_a_piece_for_every_model() -> None:
 
 
 def test_the_meshes_are_those_of_the_rendering_room() -> None:
-    shown = {shape["name"]: shape for shape in shapes.shapes()["shapes"]}
+    shown = {shape["name"]: shape for shape in shipped_shapes.shapes()["shapes"]}
     for mesh in (originals.sphere(48), originals.teapot(10), originals.bunny(1)):
         view_ = shown[mesh.name]
         low, high = (np.array(view_[key]) for key in ("low", "high"))
@@ -170,7 +170,7 @@ def test_the_meshes_are_those_of_the_rendering_room() -> None:
 @pytest.mark.slow
 def test_the_dust_is_that_of_the_rendering_room() -> None:
     pytest.importorskip("mitsuba")
-    now, stored = shapes.make(), shapes.shapes()
+    now, stored = shipped_shapes.make(), shipped_shapes.shapes()
     np.testing.assert_allclose(now["dust_by_inclination"], stored["dust_by_inclination"], atol=2e-4)
     for a, b in zip(now["shapes"], stored["shapes"], strict=True):
         difference = np.abs(unpacked(a["dust"], "u1").astype(int) - unpacked(b["dust"], "u1"))

@@ -53,10 +53,15 @@ def circles(package: str) -> list[Circle]:
 
 
 def shared_names(folder: Path, allowed: Collection[str] = LANGUAGES) -> dict[str, list[str]]:
-    """Names that two files or rooms (folders) have, with their paths; ``__init__`` and `allowed` names may be shared."""
+    """Names that two files or rooms (folders) have, with their paths; `allowed` names may be shared.
+
+    An underscore in front of a name or behind it makes no other name of it.
+    """
     by_name = defaultdict(list)
     for path in sorted(folder.rglob("*.py")):
-        by_name[path.parent.name if path.stem == "__init__" else path.stem].append(str(path.relative_to(folder)))
+        by_name[(path.parent.name if path.stem == "__init__" else path.stem).strip("_")].append(
+            str(path.relative_to(folder))
+        )
     return {name: paths for name, paths in by_name.items() if len(paths) > 1 and name not in allowed}
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from motes.files import write_text
 from motes.viewer.declarations import typescript
-from motes.viewer.shapes import FILE, make
+from motes.viewer.shipped_shapes import FILE, make
 
 ROOT = Path(__file__).resolve().parents[1]
 SOURCES = ROOT / "viewer"

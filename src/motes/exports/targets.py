@@ -54,8 +54,8 @@ TARGETS: dict[str, Target] = {
     "materialx": Target("MaterialX 1.39: a document with nodes of its own and standard ones", ".mtlx", "materialx"),
     "mitsuba": Target("Mitsuba 3: a scene's BSDFs in XML", ".xml", "mitsuba"),
     "three": Target("three.js: a module with a ShaderMaterial", ".js", "three"),
-    "merl": Target("MERL: a table of half and difference angles", ".binary", "merl"),
-    "csv": Target("CSV: a table of angles, times and channels", ".csv", "csv", over_time=True),
+    "merl": Target("MERL: a table of half and difference angles", ".binary", "merl_table"),
+    "csv": Target("CSV: a table of angles, times and channels", ".csv", "csv_table", over_time=True),
 }
 SHADERS = ("glsl", "wgsl", "hlsl", "osl", "c")
 

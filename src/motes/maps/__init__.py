@@ -1,7 +1,7 @@
 """Reflectance maps: a fit at every texel, chunk by chunk, on one machine or many."""
 
 from motes.maps.fitted import FittedMap, open_fitted
-from motes.maps.images import import_images
+from motes.maps.photographs import import_images
 from motes.maps.run import fit_map
 from motes.maps.simulated import simulate_map
 from motes.maps.stack import MapStack, create_map, open_stack

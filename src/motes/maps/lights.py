@@ -1,4 +1,4 @@
-"""The table of a folder of pictures: where light and viewer were, when, and at which exposure; see `motes.maps.images`."""
+"""The table of a folder of pictures: where light and viewer were, when, and at which exposure; see `motes.maps.photographs`."""
 
 from __future__ import annotations
 

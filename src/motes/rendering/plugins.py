@@ -11,8 +11,8 @@ from motes.models.expressions import FRESNEL
 
 def constructors(mi: Any) -> dict[str, Any]:
     """Constructors for the variant that is set, by the plugins' names."""
-    from motes.rendering._layer import layer_class, nested_bsdfs
-    from motes.rendering._surface import material_class, surface_class
+    from motes.rendering.dusty_plugin import layer_class, nested_bsdfs
+    from motes.rendering.surface_plugin import material_class, surface_class
 
     surface, layer = surface_class(mi), layer_class(mi)
 

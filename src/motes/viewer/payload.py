@@ -30,7 +30,7 @@ from motes.viewer.contract import (
     TrendView,
 )
 from motes.viewer.library import library, shader_view
-from motes.viewer.shapes import shapes
+from motes.viewer.shipped_shapes import shapes
 
 Floats = NDArray[np.float64]
 #: Times at which trends are evaluated; between them the page takes straight lines.

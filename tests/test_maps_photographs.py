@@ -18,7 +18,7 @@ from motes import maps
 from motes.drawing.colour import srgb_encode
 from motes.errors import DataError, FormatError, MotesError
 from motes.images import png as _png
-from motes.maps.images import picture, srgb_decode
+from motes.maps.photographs import picture, srgb_decode
 
 PAETH = 4
 

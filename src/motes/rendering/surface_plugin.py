@@ -10,8 +10,8 @@ import numpy as np
 from motes.errors import ParameterError
 from motes.material import load
 from motes.models import BRDF
-from motes.rendering._mixture import Mixture, is_glossy
-from motes.rendering._values import Values
+from motes.rendering.mixture import Mixture, is_glossy
+from motes.rendering.textures import Values
 
 
 def surface_class(mi: Any) -> type:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from motes.errors import MissingExtraError, MotesError, ParameterError
-from motes.rendering import _llvm
+from motes.rendering import llvm
 
 logger = logging.getLogger("motes.rendering")
 
@@ -44,7 +44,7 @@ def load_mitsuba(variant: str | None = None) -> Any:
     MotesError
         When the variant that was asked for cannot run here.
     """
-    choice = _llvm.prepared()
+    choice = llvm.prepared()
     mi = _imported()
     if variant is None:
         variant = mi.variant() or (FAST if choice.path else SLOW)
@@ -53,7 +53,7 @@ def load_mitsuba(variant: str | None = None) -> Any:
     if variant not in mi.variants():
         raise ParameterError(f"Mitsuba has no variant {variant!r}", f"It has {', '.join(mi.variants())}")
     if variant.startswith("llvm") and choice.path is None:  # also one that was set before: it would abort
-        message, hint = _llvm.missing(choice)
+        message, hint = llvm.missing(choice)
         raise MotesError(f"the variant {variant} cannot run: {message}", f"{hint}; or use {SLOW}")
     if variant != mi.variant():
         try:
@@ -90,7 +90,7 @@ def register() -> None:
         bsdf = mi.load_dict({"type": "motes_dusty", "tau": 0.3, "base": {"type": "conductor"}})
     """
     global _listening
-    choice = _llvm.prepared()
+    choice = llvm.prepared()
     for why in choice.refused if choice.path else ():  # without any, `slow_note` or an error says it
         _say(f"LLVM not used: {why}")
     mi = _imported()
@@ -129,10 +129,10 @@ def load_scene(description: Mapping[str, Any] | str | os.PathLike[str]) -> Any:
 
 def slow_note() -> str | None:
     """What to tell somebody whose pictures are made by the scalar variant for want of LLVM, or None."""
-    choice = _llvm.prepared()
+    choice = llvm.prepared()
     if choice.path is not None:
         return None
-    message, hint = _llvm.missing(choice)
+    message, hint = llvm.missing(choice)
     return (
         f"rendering in {SLOW}, a thousand times slower with Motes' plugins, so small previews only: {message}. {hint}"
     )

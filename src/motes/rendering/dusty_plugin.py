@@ -12,9 +12,9 @@ from motes.directions import Geometry, Vector
 from motes.errors import ParameterError
 from motes.models import BRDF, DustLayer
 from motes.models.base import Component
-from motes.rendering._mixture import SMALLEST_COSINE, Mixture
-from motes.rendering._surface import _describe, _kind, _spectrum
-from motes.rendering._values import Values
+from motes.rendering.mixture import SMALLEST_COSINE, Mixture
+from motes.rendering.surface_plugin import _describe, _kind, _spectrum
+from motes.rendering.textures import Values
 
 # What share of light a nested BSDF is taken to reflect when its chance of being sampled is computed.
 _ASSUMED_ALBEDO = 0.5
