@@ -13,7 +13,7 @@ import pytest
 from motes.directions import from_spherical
 from motes.material import Material
 from motes.models import BRDF, Lambert, OrenNayar, TorranceSparrow, parse
-from motes.viewer import viewing as view
+from motes.viewer import view
 from viewer_support import DUSTY, ROCK, Viewed, browser, driver, measured
 
 pytestmark = pytest.mark.slow

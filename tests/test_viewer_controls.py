@@ -14,7 +14,7 @@ import pytest
 import motes
 from motes.material import Material
 from motes.models import Lambert
-from motes.viewer import viewing as view
+from motes.viewer import view
 from motes.viewer.page import asset, safe_json
 from viewer_support import ROCK, SOURCES, Viewed, browser, driver, drying, measured, missing
 
