@@ -2,19 +2,59 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import os
+import shutil
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
 
-SHARED = Path(__file__).resolve().parents[2] / "shared"
+from skips import (
+    SHARED,
+    pytest_make_collect_report,  # noqa: F401 (a hook)
+    pytest_runtest_makereport,  # noqa: F401 (a hook)
+    pytest_terminal_summary,  # noqa: F401 (a hook)
+)
 
 # Examples are the same in every run; a busy machine is no failure.
 settings.register_profile(
     "motes", deadline=None, derandomize=True, max_examples=50, suppress_health_check=[HealthCheck.too_slow]
 )
 settings.load_profile("motes")
+
+
+#: Bytes of kernels beyond which the folder of `kernels` is emptied: those of past versions of the code are of no use.
+ENOUGH = 1_000_000_000
+
+
+def pytest_sessionstart(session: pytest.Session) -> None:
+    """Kernels of past runs are kept, but not for ever."""
+    cache = getattr(session.config, "cache", None)
+    if cache is not None and "PYTEST_XDIST_WORKER" not in os.environ:
+        folder = cache.mkdir("kernels")
+        if sum(path.stat().st_size for path in folder.rglob("*") if path.is_file()) > ENOUGH:
+            shutil.rmtree(folder)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def kernels(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    """The folder of compiled kernels: one for all processes of a run, kept between runs in pytest's cache folder, never the user's.
+
+    Its files are named by what they were made from, as the user's are.  ``MOTES_CACHE`` in the environment names another;
+    ``--cache-clear`` empties it, for a cold start; test_kernels_cache.py begins with an empty one always.
+    """
+    cache = getattr(request.config, "cache", None)
+    if chosen := os.environ.get("MOTES_CACHE"):
+        folder = Path(chosen)
+    elif cache is not None:
+        folder = cache.mkdir("kernels")
+    else:  # with -p no:cacheprovider
+        base = tmp_path_factory.getbasetemp()
+        folder = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "kernels"
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("MOTES_CACHE", str(folder))
+        yield folder
 
 
 @pytest.fixture(scope="session")

@@ -1,26 +1,11 @@
-"""What the engine's tests share: a cache folder of the test run, and directions where formulas are at risk."""
+"""What the engine's tests share: directions where formulas are at risk."""
 
 from __future__ import annotations
 
-import os
-from collections.abc import Iterator
-from pathlib import Path
-
 import numpy as np
-import pytest
 from numpy.typing import NDArray
 
 Directions = NDArray[np.float64]
-
-
-@pytest.fixture(scope="session", autouse=True)
-def cache_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    """Kernels are kept for the run, for all its processes, and not in the user's home."""
-    base = tmp_path_factory.getbasetemp()
-    folder = (base.parent if os.environ.get("PYTEST_XDIST_WORKER") else base) / "kernels"
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("MOTES_CACHE", str(folder))
-        yield folder
 
 
 def spherical(theta: Directions, phi: Directions) -> Directions:

@@ -13,7 +13,7 @@ import pytest
 from numpy.typing import NDArray
 
 from catalogue import ENTRIES, SPECIAL_WI, SPECIAL_WO, jax_in_float64, reference, upper_directions
-from engine_support import cache_folder, risky_pairs  # noqa: F401 (a fixture)
+from engine_support import risky_pairs
 from golden import appendices
 
 pytest.importorskip("numba")

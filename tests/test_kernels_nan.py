@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 from catalogue import ENTRIES, Entry, reference
-from engine_support import cache_folder  # noqa: F401 (a fixture)
 
 pytest.importorskip("numba")
 
