@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-import zipfile
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 import motes
 from motes.directions import from_spherical
-from motes.errors import DataError, FormatError, ParameterError
+from motes.errors import DataError, ParameterError
 from motes.material import Material
-from motes.soiling import spreadsheet
 from motes.soiling.mirrors import Series, Soiling, cleanings, fit_soiling, growth, read_soiling, slant
 
 THETA = np.deg2rad(15)
@@ -126,61 +122,13 @@ def test_bad_series_are_named(days: list[float], R: list[float], error: list[flo
         Series("s", "c", "m", 0.0, np.array(days, float), np.array(R, float), np.array(error, float))
 
 
-# ------------------------------------------------------------ spreadsheets
-
-MAIN = 'xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"'
-
-
-def book(path: Path, sheet: str, head: str = "") -> Path:
-    r = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
-    with zipfile.ZipFile(path, "w") as z:
-        z.writestr(
-            "xl/workbook.xml", f'<workbook {MAIN} xmlns:r="{r}"><sheets><sheet name="A" r:id="i1"/></sheets></workbook>'
-        )
-        z.writestr(
-            "xl/_rels/workbook.xml.rels",
-            '<Relationships><Relationship Id="i1" Target="worksheets/s.xml"/></Relationships>',
-        )
-        z.writestr("xl/sharedStrings.xml", f"<sst {MAIN}><si><t>Time</t></si></sst>")
-        z.writestr("xl/worksheets/s.xml", f"{head}<worksheet {MAIN}><sheetData>{sheet}</sheetData></worksheet>")
-    return path
-
-
-def test_cells_go_where_they_say(tmp_path: Path) -> None:
-    rows = '<row><c r="A1" t="s"><v>0</v></c><c r="C1"><v>2.5</v></c><c r="AB1" t="str"><v>x</v></c></row><row><c><v>7</v></c><c r="B2"/></row>'
-    found = spreadsheet.read(book(tmp_path / "b.xlsx", rows), ["A"])["A"]
-    assert found[0][:3] == ["Time", None, 2.5]
-    assert (found[0][27], len(found[0])) == ("x", 28)
-    assert found[1] == [7.0]
-
-
-@pytest.mark.parametrize(
-    ("make", "message"),
-    [
-        (lambda p: p.write_bytes(b"PK no"), "not a readable spreadsheet"),
-        (lambda p: book(p, '<row><c r="A1" t="s"><v>9</v></c></row>'), "not a readable spreadsheet"),
-        (lambda p: book(p, "<row>"), "not a readable spreadsheet"),
-        (lambda p: book(p, "", '<!DOCTYPE x [<!ENTITY a "b">]>'), "document type"),
-        (lambda p: None, "cannot be read"),
-    ],
-)
-def test_damaged_spreadsheets_are_named(make: object, message: str, tmp_path: Path) -> None:
-    make(tmp_path / "b.xlsx")  # type: ignore[operator]
-    with pytest.raises(FormatError, match=message):
-        spreadsheet.read(tmp_path / "b.xlsx", ["A"])
-
-
-def test_a_missing_sheet_is_named(tmp_path: Path) -> None:
-    with pytest.raises(FormatError, match="no sheet 'B'"):
-        spreadsheet.read(book(tmp_path / "b.xlsx", ""), ["B"])
-
-
 # ------------------------------------------------------------ the measured mirrors
 
 
 @pytest.fixture(scope="module")
 def fits() -> list[Soiling]:
     pytest.importorskip("mirror_soiling_data", reason="the package mirror-soiling-data is not installed")
+    pytest.importorskip("openpyxl", reason="the package openpyxl is not installed")
     return [fit_soiling(one) for one in read_soiling()]
 
 

@@ -18,6 +18,7 @@ What this tests is the attenuation.  It says nothing of how dust scatters (w, g)
 
 from __future__ import annotations
 
+import datetime
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -30,7 +31,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from motes.errors import DataError, MissingExtraError, ParameterError
-from motes.soiling import spreadsheet as _xlsx
+from motes.files.spreadsheet import Cell, read_sheets
 from motes.trends import Trend
 
 Floats = NDArray[np.float64]
@@ -436,7 +437,7 @@ def read_soiling() -> tuple[Series, ...]:
 
 
 def _campaign(file: Path) -> list[Series]:
-    sheets = _xlsx.read(file, ("Tilts", "Weather", "Reflectance_Average", "Reflectance_Sigma"))
+    sheets = read_sheets(file, ["Tilts", "Weather", "Reflectance_Average", "Reflectance_Sigma"])
     (names, times, means), (others, other_times, spreads) = (
         _columns(sheets[s]) for s in ("Reflectance_Average", "Reflectance_Sigma")
     )
@@ -477,7 +478,19 @@ def _columns(rows: Sequence[Sequence[Any]]) -> tuple[list[str], Floats, Floats]:
     table = np.full((max(len(rows) - 1, 0), width), np.nan)
     for r, row in enumerate(rows[1:]):
         for c, cell in enumerate(row[:width]):
-            if isinstance(cell, float):
-                table[r, c] = cell
+            table[r, c] = _number(cell)
     table = table[np.isfinite(table[:, 0])]
     return header[1:width], table[:, 0], table[:, 1:]
+
+
+def _number(cell: Cell) -> float:
+    """A number as it is, a date as days in the count of spreadsheets, anything else as NaN."""
+    if isinstance(cell, float):
+        return cell
+    try:
+        moment = datetime.datetime.fromisoformat(cell or "")
+    except ValueError:
+        return np.nan
+    if moment.tzinfo is not None:
+        return np.nan
+    return (moment - datetime.datetime(1899, 12, 30)) / datetime.timedelta(days=1)
