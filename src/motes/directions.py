@@ -190,13 +190,15 @@ def from_spherical(theta: ArrayLike, phi: ArrayLike) -> NDArray[np.float64]:
 def theta(w: ArrayLike) -> NDArray[np.float64]:
     """Polar angle [rad] in [0, pi] of directions (..., 3)."""
     w = np.asarray(w, np.float64)
-    return np.arctan2(np.hypot(w[..., 0], w[..., 1]), w[..., 2])
+    angle: NDArray[np.float64] = np.arctan2(np.hypot(w[..., 0], w[..., 1]), w[..., 2])
+    return angle
 
 
 def phi(w: ArrayLike) -> NDArray[np.float64]:
     """Azimuth [rad] in (-pi, pi] of directions (..., 3)."""
     w = np.asarray(w, np.float64)
-    return np.arctan2(w[..., 1], w[..., 0])
+    angle: NDArray[np.float64] = np.arctan2(w[..., 1], w[..., 0])
+    return angle
 
 
 def _rotate(w: NDArray[np.float64], axis: int, angle: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -342,7 +342,8 @@ class Trend:
             return np.full(value.shape, np.nan)
         covariance = np.where(np.isfinite(self.covariance), self.covariance, 0.0)
         rows = flat_jacobian(self, jacobian, value.shape)  # (T[, C], K)
-        return np.sqrt(np.maximum(np.einsum("...k,kl,...l->...", rows, covariance, rows), 0))
+        error: Floats = np.sqrt(np.maximum(np.einsum("...k,kl,...l->...", rows, covariance, rows), 0))
+        return error
 
     def to_dict(self) -> dict[str, Any]:
         """Plain JSON values."""
@@ -432,7 +433,8 @@ class Tabulated:
         """The value at times [h] of any shape (...): (...) or (..., C)."""
         t = np.asarray(hours, float)
         if self.values.ndim == 1:
-            return np.interp(t, self.hours, self.values)
+            value: Floats = np.interp(t, self.hours, self.values)
+            return value
         return np.stack([np.interp(t, self.hours, column) for column in self.values.T], axis=-1)
 
     def to_dict(self) -> dict[str, Any]:

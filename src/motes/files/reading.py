@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -54,7 +55,7 @@ def integer(token: str) -> int | None:
     return int(token) if token.isascii() and token.isdigit() and len(token) < 10 else None
 
 
-def binary(path: Path, dtype: str, count: int, offset: int, what: str) -> NDArray:
+def binary(path: Path, dtype: str, count: int, offset: int, what: str) -> NDArray[Any]:
     """`count` numbers at a byte offset, once the file is known to hold them."""
     needed, size = offset + count * np.dtype(dtype).itemsize, path.stat().st_size
     if size < needed:
@@ -65,7 +66,7 @@ def binary(path: Path, dtype: str, count: int, offset: int, what: str) -> NDArra
     return np.fromfile(path, dtype, count, offset=offset)
 
 
-def doubles(array: NDArray) -> NDArray[np.float64]:
+def doubles(array: NDArray[Any]) -> NDArray[np.float64]:
     """As float64; a signalling NaN in a damaged file is a NaN, not a warning."""
     with np.errstate(invalid="ignore"):
         return array.astype(np.float64)

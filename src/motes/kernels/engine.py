@@ -254,7 +254,8 @@ def _summed(x: Array, shape: tuple[int, ...]) -> Array:
     """`x` summed over the axes along which an array of `shape` was broadcast, in float64."""
     x = x.sum(axis=tuple(range(x.ndim - len(shape))), dtype=np.float64)
     axes = tuple(k for k, n in enumerate(shape) if n == 1 and x.shape[k] != 1)
-    return x.sum(axis=axes, keepdims=True)
+    total: Array = x.sum(axis=axes, keepdims=True)
+    return total
 
 
 def _target(out: Array | None, shape: tuple[int, ...], job: _Job) -> Array:

@@ -48,7 +48,9 @@ def scalar_function(
 ) -> Callable[..., tuple[Any, ...]]:
     """A function of numbers (or arrays) that computes `results`, straight from memory."""
     body, texts = statements(NUMPY, results, arguments)
-    return compiled(f"{_HEADER}\n\n{function(name, list(arguments.values()), body, texts)}", name)[name]
+    namespace = compiled(f"{_HEADER}\n\n{function(name, list(arguments.values()), body, texts)}", name)
+    made: Callable[..., tuple[Any, ...]] = namespace[name]
+    return made
 
 
 def compiled(source: str, title: str) -> dict[str, Any]:

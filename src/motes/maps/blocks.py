@@ -35,7 +35,7 @@ class Blocks:
     def texels(self, block: tuple[int, int]) -> int:
         """The number of texels in a block."""
         y, x = self.slices(block)
-        return (y.stop - y.start) * (x.stop - x.start)
+        return int((y.stop - y.start) * (x.stop - x.start))
 
     def __iter__(self) -> Iterator[tuple[int, int]]:
         rows, columns = self.counts

@@ -81,4 +81,4 @@ def compare(
 
 def _finite(values: NDArray[np.float32]) -> NDArray[np.float64]:
     flat = values.astype(float).ravel()
-    return flat[np.isfinite(flat)]
+    return np.asarray(flat[np.isfinite(flat)])

@@ -335,4 +335,4 @@ def _numbered(folder: Path) -> list[int]:
 
 
 def _is_ours(path: Path) -> bool:
-    return zarrs.open_group(path).attrs.get("format") == zarrs.FITTED
+    return bool(zarrs.open_group(path).attrs.get("format") == zarrs.FITTED)

@@ -133,7 +133,7 @@ def picture(path: Path, linear: bool) -> Singles:
         raise FormatError(
             f"{path} cannot be read: {error.strerror or error}", "Check the table and the folder"
         ) from None
-    return _decoded(largest, linear)[codes]
+    return np.asarray(_decoded(largest, linear)[codes])
 
 
 def srgb_decode(encoded: Floats) -> Floats:

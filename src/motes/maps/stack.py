@@ -76,7 +76,7 @@ class MapStack:
     def reads_per_chunk(self) -> float:
         """How often a chunk of the store is read for all blocks to be read once; 1 where chunks are whole."""
         inner = math.prod(self.array.chunks[:2])
-        return max(1.0, inner / math.prod(self.blocks.block))
+        return max(1.0, float(inner / math.prod(self.blocks.block)))
 
     def read(self, block: tuple[int, int]) -> Singles:
         """The values of a block (y, x, T, D, C), float32; what is negative or not finite is NaN, as `motes.read` masks it."""
@@ -84,7 +84,7 @@ class MapStack:
 
     def texels(self, y: int, x: int) -> Singles:
         """The values (T, D, C) of one texel."""
-        return self._values((slice(y, y + 1), slice(x, x + 1)))[0, 0]
+        return np.asarray(self._values((slice(y, y + 1), slice(x, x + 1)))[0, 0])
 
     def write(self, y: int, x: int, values: ArrayLike) -> None:
         """Put values (h, w, T, D, C) with their first texel at (y, x); whole chunks are quickest."""

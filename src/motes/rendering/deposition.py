@@ -96,7 +96,7 @@ class Deposit:
 
     def tau(self, open_tau: float) -> Floats:
         """Optical thickness (N,) where a level, open surface has `open_tau`; raises `ParameterError` for one out of range."""
-        return checked_tau(np.full(1, open_tau), "tau of a level, open surface")[0] * self.share
+        return float(checked_tau(np.full(1, open_tau), "tau of a level, open surface")[0]) * self.share
 
 
 def deposit(
@@ -236,7 +236,7 @@ def blowing(wind: Floats, above: Floats, n: int) -> Floats:
     elevation = np.deg2rad(SHELTER_DEG) * k / n
     azimuth = np.deg2rad(15) * (2 * ((k * (np.sqrt(5) - 1) / 2) % 1) - 1)
     flat = np.cos(azimuth)[:, None] * along + np.sin(azimuth)[:, None] * side
-    return np.cos(elevation)[:, None] * flat + np.sin(elevation)[:, None] * above
+    return np.asarray(np.cos(elevation)[:, None] * flat + np.sin(elevation)[:, None] * above)
 
 
 def _about(axis: Floats, cosine: Floats, azimuth: Floats) -> Floats:
@@ -246,7 +246,8 @@ def _about(axis: Floats, cosine: Floats, azimuth: Floats) -> Floats:
     x /= np.linalg.norm(x)
     y = np.cross(axis, x)
     sine = np.sqrt(1 - cosine**2)
-    return (sine * np.cos(azimuth))[:, None] * x + (sine * np.sin(azimuth))[:, None] * y + cosine[:, None] * axis
+    around = (sine * np.cos(azimuth))[:, None] * x + (sine * np.sin(azimuth))[:, None] * y
+    return np.asarray(around + cosine[:, None] * axis)
 
 
 # ------------------------------------------------------------ tau

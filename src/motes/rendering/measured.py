@@ -75,7 +75,7 @@ def _filled(values: Floats, invalid: NDArray[np.bool_]) -> Floats:
     after = np.minimum.accumulate(np.where(index < 0, last, index)[:, ::-1], axis=1)[:, ::-1]
     source = np.where(before >= 0, before, after)
     h, _, p = np.indices(source.shape)
-    filled = values[h, np.minimum(source, last - 1), p]
+    filled: NDArray[np.float64] = values[h, np.minimum(source, last - 1), p]
     filled[source == last] = 0.0  # a theta_h without a single valid bin
     return filled
 

@@ -40,4 +40,4 @@ def cloudy(points: Floats, seed: int = 0, octaves: int = 3) -> Floats:
     """Three octaves of `gradient_noise`, each twice as fine and half as strong; within [-1, 1]."""
     weights = 0.5 ** np.arange(octaves)
     parts = (w * gradient_noise(points * 2**k, seed + k) for k, w in enumerate(weights))
-    return np.asarray(sum(parts)) / weights.sum()
+    return np.asarray(sum(parts) / weights.sum())

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes.errors import MotesError
+from motes.files import replacing
 from motes.material import Material
 from motes.rendering import films, panels, tonemap
 from motes.rendering.arrangement import each_titled, layout, mosaic, words
@@ -216,7 +217,7 @@ def _writable(target: Path) -> None:
     """Raise before the work where the result cannot be written."""
     if target.is_dir():
         raise MotesError(f"{target} is a folder", f"Name a file, such as -o {target / 'picture.png'}")
-    with films.replacing(target.with_name(f".{target.name}.try")) as temporary:
+    with replacing(target.with_name(f".{target.name}.try")) as temporary:
         temporary.touch()
     target.with_name(f".{target.name}.try").unlink()
 

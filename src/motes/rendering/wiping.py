@@ -114,7 +114,7 @@ def read_mask(path: str | os.PathLike[str]) -> Floats:
         raise FormatError(
             f"{file} has {int((~np.isfinite(values)).sum())} pixels that are not finite", "Repair the picture"
         )
-    return np.clip(values, 0, 1)
+    return np.asarray(np.clip(values, 0, 1))
 
 
 def look_up(picture: Floats, uv: Floats) -> Floats:
@@ -125,8 +125,8 @@ def look_up(picture: Floats, uv: Floats) -> Floats:
     fx, fy = x - left, y - top
 
     def at(row: NDArray[np.int64], column: NDArray[np.int64]) -> Floats:
-        return picture[row % height, column % width]
+        return np.asarray(picture[row % height, column % width])
 
     upper = (1 - fx) * at(top, left) + fx * at(top, left + 1)
     lower = (1 - fx) * at(top + 1, left) + fx * at(top + 1, left + 1)
-    return (1 - fy) * upper + fy * lower
+    return np.asarray((1 - fy) * upper + fy * lower)

@@ -246,7 +246,7 @@ def relative_rms(fit: TimeFit) -> Floats:
     measured = np.where(mask, fit.measurement.values, 0.0)
     difference = np.where(mask, fit.predicted - measured, 0.0)
     with np.errstate(invalid="ignore", divide="ignore"):
-        return np.sqrt((difference**2).sum(axis=(1, 2)) / (measured**2).sum(axis=(1, 2)))
+        return np.asarray(np.sqrt((difference**2).sum(axis=(1, 2)) / (measured**2).sum(axis=(1, 2))))
 
 
 def closeness_figure(fit: TimeFit, times: Times) -> Html:
@@ -312,9 +312,8 @@ def _scan(times: Times, index: int) -> str:
 def _mean_ratio(fit: TimeFit) -> Floats:
     mask = fit.measurement.mask
     with np.errstate(invalid="ignore", divide="ignore"):
-        return np.where(mask, fit.measurement.values, 0).sum(axis=(1, 2)) / np.where(mask, fit.predicted, 0).sum(
-            axis=(1, 2)
-        )
+        measured, predicted = (np.where(mask, x, 0).sum(axis=(1, 2)) for x in (fit.measurement.values, fit.predicted))
+        return np.asarray(measured / predicted)
 
 
 def _ends(values: Floats) -> tuple[float, float]:
