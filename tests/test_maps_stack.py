@@ -62,7 +62,7 @@ def test_xarray_reads_it_with_coordinates(tmp_path: Path) -> None:
 
 def test_a_map_that_xarray_wrote_is_read(tmp_path: Path) -> None:
     values = np.random.default_rng(2).random((6, 5, 2, 4, 1)).astype(np.float64)
-    values[0, 0, 0, 0, 0], values[0, 0, 0, 1, 0] = -0.1, np.inf
+    values[0, 0, 0, :3, 0] = -9, np.inf, -0.01
     data = xarray.Dataset(
         {"f_r": (AXES, values)},
         coords={
@@ -77,7 +77,8 @@ def test_a_map_that_xarray_wrote_is_read(tmp_path: Path) -> None:
     assert found.channels == ("grey",)
     read = found.read((0, 0))
     assert read.dtype == np.float32
-    assert np.isnan(read[0, 0, 0, :2, 0]).all()  # negative and infinite: masked, as in `motes.read`
+    assert np.isnan(read[0, 0, 0, :2, 0]).all()  # what cannot be a value
+    assert read[0, 0, 0, 2, 0] == np.float32(-0.01)  # noise, and so a datum, as in `motes.read`
     np.testing.assert_allclose(read[1:], values[1:], rtol=1e-6)
 
 

@@ -15,6 +15,10 @@ from numpy.typing import ArrayLike, NDArray
 from motes.arrays import Array
 
 HALF_PI = 1.5707963267948966
+# A direction is above the surface where its cosine to the normal is above this, and at the horizon or below it otherwise:
+# in models, measurements, fits and maps alike.  cos(90 degrees) comes out as 6e-17, and 1.570796 rad, which is 90
+# degrees with six decimals, as 3e-7; directions steeper than 89.99994 degrees are lost, which no instrument resolves.
+HORIZON = 1e-6
 # Cosines are kept at or above this where they divide.  It is far below what a unit vector in float64 can resolve near
 # the horizon, so it changes no value; it keeps products of two cosines away from underflow in float32, and masked
 # directions free of 0/0.
@@ -174,10 +178,20 @@ class Geometry:
     def above_horizon(self, value: Array) -> Array:
         """`value` where both directions are above the surface, exactly 0 elsewhere; a NaN cosine stays NaN."""
         xp, z_i, z_o = self.xp, self.wi.z, self.wo.z
-        return xp.where(z_i > 0, xp.where(z_o > 0, value, xp.maximum(z_o, 0.0)), xp.maximum(z_i, 0.0))
+        # A cosine that is clamped from both sides is 0, or NaN for a NaN; max(z, 0) would leave what is within HORIZON.
+        nothing_i, nothing_o = (xp.maximum(xp.minimum(z, 0.0), 0.0) for z in (z_i, z_o))
+        return xp.where(z_i > HORIZON, xp.where(z_o > HORIZON, value, nothing_o), nothing_i)
 
 
 # ---------------------------------------------------------------- Coordinates of measurements (NumPy, float64)
+
+
+def above(*ws: ArrayLike) -> NDArray[np.bool_]:
+    """Where all of some directions (..., 3) are above the horizon, `HORIZON`; not where a component is NaN."""
+    result: NDArray[np.bool_] = np.asarray(np.asarray(ws[0], np.float64)[..., 2] > HORIZON)
+    for w in ws[1:]:
+        result = result & (np.asarray(w, np.float64)[..., 2] > HORIZON)
+    return result
 
 
 def from_spherical(theta: ArrayLike, phi: ArrayLike) -> NDArray[np.float64]:

@@ -18,7 +18,6 @@ from motes.measurements.table import TIMES
 Floats = NDArray[np.float64]
 
 PICTURES = (".exr", ".png")
-LOWEST = 1e-6  # cosine to the normal; 90 degrees comes out as 6e-17
 
 
 class Row(NamedTuple):
@@ -97,9 +96,10 @@ def _row(entry: dict[str, str], where: str, folder: Path) -> Row:
     gains = [number(name, 1.0) for name in ("exposure", "irradiance")]
     if min(gains) <= 0:
         raise DataError(f"{where}: exposure {gains[0]:g}, irradiance {gains[1]:g}", "Both are above 0")
-    if min(wi[2], wo[2]) < LOWEST:
+    if not directions.above(wi, wo):
         raise DataError(
-            f"{where}: the {'light' if wi[2] < LOWEST else 'viewer'} is at or below the horizon", "Leave it out"
+            f"{where}: the {'light' if not directions.above(wi) else 'viewer'} is at or below the horizon",
+            "Leave it out",
         )
     return Row(file, wi, wo, hours, gains[0] * gains[1] * float(wi[2]))
 

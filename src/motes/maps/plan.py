@@ -12,7 +12,7 @@ from typing import Any, Self, final
 import numpy as np
 from numpy.typing import NDArray
 
-from motes.directions import HALF_PI
+from motes.directions import HALF_PI, HORIZON
 from motes.errors import DataError, MotesError
 from motes.fitting.losses import loss_named
 from motes.fitting.texels import TexelSolver
@@ -217,7 +217,9 @@ def with_block(stack: MapStack, block: tuple[int, int] | None) -> MapStack:
 def directions_used(stack: MapStack, settings: Settings) -> NDArray[np.bool_]:
     """Directions above the horizon, and within max_theta."""
     lowest = np.minimum(stack.wi[:, 2], stack.wo[:, 2])
-    used = lowest > 0 if settings.max_theta is None else lowest >= max(np.cos(settings.max_theta), 1e-9)
+    used = lowest > HORIZON
+    if settings.max_theta is not None:
+        used &= lowest >= np.cos(settings.max_theta)
     if stack.weights is not None and settings.weights == "measurement":
         used &= stack.weights > 0
     if not used.any():

@@ -79,7 +79,7 @@ class MapStack:
         return max(1.0, float(inner / math.prod(self.blocks.block)))
 
     def read(self, block: tuple[int, int]) -> Singles:
-        """The values of a block (y, x, T, D, C), float32; what is negative or not finite is NaN, as `motes.read` masks it."""
+        """The values of a block (y, x, T, D, C), float32; NaN where it cannot be a value: see `usable`."""
         return self._values(self.blocks.slices(block))
 
     def texels(self, y: int, x: int) -> Singles:
@@ -137,10 +137,24 @@ class MapStack:
         values = np.ascontiguousarray(zarrs.unpacked(self.array[where], self.array.attrs, np.float32))
         if values.min() >= 0 and values.max() < np.inf:  # NaN fails both; as good as always, and four times as quick
             return values
-        values = values if values.flags.writeable else values.copy()
-        with np.errstate(invalid="ignore"):
-            values[~((values >= 0) & (values < np.inf))] = np.nan
-        return values
+        return usable(values if values.flags.writeable else values.copy())
+
+
+def usable(values: Singles) -> Singles:
+    """Values (..., T, D, C) with NaN, in place, for what cannot be a value: infinite, or negative beyond noise.
+
+    As in `motes.measurements.policy`, negative values that noise explains are data, for to leave them out would brighten
+    what is dark.  A texel has few samples to tell its noise by, so the bound is coarse: no further below 0 than its
+    brightest sample is above it.  Markers such as -1 and -999 are beyond that, and so is a texel without a positive one.
+    Cost: a marker of -1 stays among the data of a texel that has a highlight above 1/sr.
+    """
+    with np.errstate(invalid="ignore"):
+        values[~(np.abs(values) < np.inf)] = np.nan
+        if np.nanmin(values, initial=0) < 0:
+            # fmax ignores NaN; 0 for a texel without a value
+            brightest = np.fmax.reduce(values, axis=(-3, -2, -1), keepdims=True, initial=0)
+            values[values < -brightest] = np.nan
+    return values
 
 
 def open_dataset(path: Path, channels: Sequence[str]) -> Any:

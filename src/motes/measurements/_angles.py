@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-HALF_PI = np.pi / 2
+from motes import directions
+
+HALF_PI = directions.HALF_PI
 
 
 def half_difference_grid(
@@ -40,7 +42,7 @@ def half_difference_grid(
     z = np.cos(theta_d)[:, None]
     # wi is (x, y, z) and wo its mirror image (-x, -y, z), both rotated by theta_h about the y axis
     zi, zo = cos_h * z - sin_h * x, cos_h * z + sin_h * x
-    above = (zi > 0) & (zo > 0)
+    above = (zi > directions.HORIZON) & (zo > directions.HORIZON)
     y = np.broadcast_to(y, above.shape)[above]
     wi = np.stack([(cos_h * x + sin_h * z)[above], y, zi[above]], axis=-1)
     wo = np.stack([(sin_h * z - cos_h * x)[above], -y, zo[above]], axis=-1)

@@ -12,6 +12,7 @@ from typing import NamedTuple, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from motes import directions
 from motes.drawing.colour import Floats
 from motes.fitting.result import Fit
 
@@ -44,7 +45,7 @@ class Samples:
         """The samples of a fit; those masked in all channels are left out."""
         data = fit.measurement
         mask = data.mask[0]
-        kept = mask.any(1) & (data.wi[:, 2] > 0) & (data.wo[:, 2] > 0)
+        kept = mask.any(1) & directions.above(data.wi, data.wo)
         keep = (
             slice(None) if kept.all() else kept
         )  # a view, where it can be one: a dense measurement has millions of samples
