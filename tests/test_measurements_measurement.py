@@ -24,10 +24,9 @@ def pairs(n: int, seed: int = 0) -> tuple[np.ndarray, np.ndarray]:
 
 def test_policy_masks_counts_and_keeps_the_values():
     wi, wo = pairs(8)
-    wo[5] = from_spherical(np.pi / 2, 0.0)  # cos(pi/2) is 6e-17 in floating point ...
-    wo[5, 2] = 0.0  # ... and exactly 0 here
+    wo[5] = from_spherical(np.pi / 2, 0.0)  # cos(pi/2) is 6e-17 in floating point
     wi[6] = from_spherical(2.0, 0.3)
-    values = np.array([0.1, -0.2, np.nan, np.inf, 0.0, 0.5, -0.6, 0.7])
+    values = np.array([0.1, -200.0, np.nan, np.inf, 0.0, 0.5, -0.6, 0.7])
     m = Measurement.from_arrays(wi, wo, values, mask=np.array([1, 1, 1, 1, 1, 1, 1, 0], bool)[:, None])
     assert m.mask[0, :, 0].tolist() == [True, False, False, False, True, False, False, False]
     assert dict(m.masked) == {
@@ -43,7 +42,7 @@ def test_policy_masks_counts_and_keeps_the_values():
 def test_reasons_of_the_reader_come_first():
     wi, wo = pairs(3)
     m = Measurement.from_arrays(
-        wi, wo, [-1.0, -2.0, 3.0], reasons={"out of gamut": np.array([1, 0, 0], bool)[None, :, None]}
+        wi, wo, [-1.0, -2e4, 3.0], reasons={"out of gamut": np.array([1, 0, 0], bool)[None, :, None]}
     )
     assert dict(m.masked) == {"out of gamut": 1, policy.NEGATIVE: 1}
 
@@ -141,7 +140,8 @@ def test_angles():
 
 def test_parts_count_their_own_masked_samples():
     wi, wo = pairs(6)
-    values = np.arange(12.0).reshape(2, 6, 1) - 2  # negative: times 0, directions 0 and 1
+    values = np.arange(12.0).reshape(2, 6, 1) + 1
+    values[0, :2] = [[-2e4], [-1e4]]
     values[1, 4] = np.nan
     m = Measurement.from_arrays(wi, wo, values, times=[0.5, 1.0], weights=np.arange(1.0, 7))
     assert dict(m.at(0).masked) == {policy.NEGATIVE: 2}
@@ -163,7 +163,7 @@ def test_parts_count_their_own_masked_samples():
 
 def test_with_mask():
     wi, wo = pairs(4)
-    m = Measurement.from_arrays(wi, wo, [-1.0, 1, 2, 3])
+    m = Measurement.from_arrays(wi, wo, [-1e4, 1, 2, 3])
     extra = np.array([False, False, True, True])[None, :, None]
     more = m.with_mask(extra, "grazing")
     assert dict(more.masked) == {policy.NEGATIVE: 1, "grazing": 1}
@@ -179,7 +179,7 @@ def test_with_mask():
 
 def test_all_masked_is_not_an_error():
     wi, wo = pairs(3)
-    m = Measurement.from_arrays(wi, wo, [-1.0, np.nan, -3])
+    m = Measurement.from_arrays(wi, wo, [np.inf, np.nan, np.nan])
     summary = m.summary()
     assert summary["n_usable"] == 0
     assert summary["f_r"] is None
@@ -206,13 +206,105 @@ def test_summary_is_json_and_to_xarray_keeps_everything():
     np.testing.assert_array_equal(dataset["wo"], m.wo)
 
 
+def test_uncertainties_go_along(tmp_path):
+    wi, wo = pairs(4)
+    values = np.arange(1.0, 17).reshape(2, 4, 2)
+    u = 0.01 * values
+    u[0, 1, 0] = np.nan
+    m = Measurement.from_arrays(wi, wo, values, times=[0, 2], uncertainties=u, common_uncertainty=0.02)
+    np.testing.assert_array_equal(m.uncertainties, u)
+    np.testing.assert_array_equal(m.at(1).uncertainties, u[1:])
+    np.testing.assert_array_equal(m.select([3, 0]).uncertainties, u[:, [3, 0]])
+    assert m.select([0]).common_uncertainty == m.at(0).common_uncertainty == 0.02
+    np.testing.assert_array_equal(m.with_mask(values > 3, "dark").uncertainties, u)
+    with pytest.raises(ValueError, match="read-only"):
+        m.uncertainties[0, 0, 0] = 1
+    facts = json.loads(json.dumps(m.summary(), allow_nan=False))
+    assert facts["uncertainties"] == {"n_samples": 15, "range": [0.01, 0.16], "relative_median": pytest.approx(0.01)}
+    assert facts["common_uncertainty"] == 0.02
+    pytest.importorskip("xarray")
+    data = m.to_xarray()
+    np.testing.assert_array_equal(data["f_r_uncertainty"], u)
+    assert data.attrs["common_uncertainty"] == 0.02
+
+
+def test_uncertainties_broadcast():
+    wi, wo = pairs(4)
+    for one, expected in ((0.1, 0.1), (np.full(4, 0.2), 0.2), (np.full((4, 3), 0.3), 0.3)):
+        m = Measurement.from_arrays(wi, wo, np.ones((4, 3)), uncertainties=one)
+        np.testing.assert_array_equal(m.uncertainties, np.full((1, 4, 3), expected))
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"uncertainties": [0.1, 0, 0.1]}, "direction 1, channel 0, time 0 is 0"),
+        ({"uncertainties": [0.1, 0.1, -0.1]}, "direction 2.*-0.1"),
+        ({"uncertainties": [np.inf, 0.1, 0.1]}, "inf"),
+        ({"uncertainties": [0.1, 0.1]}, "does not fit the values"),
+        ({"common_uncertainty": 2}, "outside"),
+        ({"common_uncertainty": 0}, "outside"),
+    ],
+)
+def test_uncertainties_that_are_none(options, message):
+    with pytest.raises(DataError, match=message):
+        Measurement.from_arrays(*pairs(3), np.ones(3), **options)
+
+
+class TestNegativeValues:
+    """Noise about 0 is data; markers and readings far below the noise are not."""
+
+    def noise(self, n: int = 400, seed: int = 0) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        return *pairs(n, seed), 0.003 * np.random.default_rng(seed).standard_normal(n)
+
+    @pytest.mark.parametrize("truth", [0.0, 0.002, 0.1])
+    @pytest.mark.parametrize("digits", [9, 3])
+    def test_noise_is_kept(self, truth: float, digits: int):
+        wi, wo, noise = self.noise()
+        m = Measurement.from_arrays(wi, wo, np.round(truth + noise, digits))
+        assert m.mask.all()
+
+    def test_noise_that_an_instrument_divides_by_a_cosine_is_kept(self):
+        wi, wo, noise = self.noise()
+        assert Measurement.from_arrays(wi, wo, 0.001 + noise / wi[:, 2]).mask.all()
+
+    @pytest.mark.parametrize("marker", [-1, -99, -999, -9999.0])
+    @pytest.mark.parametrize("rows", [[7], [3, 50, 51, 200]])
+    def test_markers_are_masked(self, marker: float, rows: list[int]):
+        wi, wo, noise = self.noise()
+        values = 0.1 + noise
+        values[rows] = marker
+        m = Measurement.from_arrays(wi, wo, values)
+        assert np.flatnonzero(~m.mask[0, :, 0]).tolist() == rows
+        assert set(m.masked) <= {policy.MARKER, policy.NEGATIVE}
+
+    def test_an_uncertainty_can_explain_more(self):
+        wi, wo, noise = self.noise()
+        values = 0.1 + noise
+        values[7] = -1
+        assert not Measurement.from_arrays(wi, wo, values).mask.all()
+        assert Measurement.from_arrays(wi, wo, values, uncertainties=np.where(values < 0, 0.3, 0.003)).mask.all()
+
+    def test_a_channel_without_a_positive_value_is_no_noise(self):
+        wi, wo, noise = self.noise()
+        m = Measurement.from_arrays(wi, wo, -np.abs(noise))
+        assert not m.mask.any()
+
+    def test_a_saturated_colour_is_data(self):
+        wi, wo, noise = self.noise()
+        values = np.stack([-0.2 + 0 * noise, 0.05 + noise, 0.6 + noise], axis=1)
+        values[::2, 0] *= -0.1
+        assert Measurement.from_arrays(wi, wo, values).mask.all()
+        assert not Measurement.from_arrays(wi, wo, values, channels=["400", "500", "600"]).mask.all()
+
+
 @given(st.lists(st.floats(), min_size=1, max_size=20), st.integers(0, 2**32 - 1))
 def test_whatever_the_values_the_counts_add_up(values: list[float], seed: int):
     wi, wo = pairs(len(values), seed)
     m = Measurement.from_arrays(wi, wo, values)
     assert sum(m.masked.values()) == np.count_nonzero(~m.mask)
     usable = np.array(values)[m.mask[0, :, 0]]
-    assert np.all(np.isfinite(usable) & (usable >= 0))
+    assert np.all(np.isfinite(usable))
 
 
 class TestClipping:

@@ -14,7 +14,7 @@ import pytest
 import measurement_files as files
 from motes import directions
 from motes.errors import FormatError, MotesError
-from motes.measurements import READERS, Measurement, list_samples, policy, read
+from motes.measurements import READERS, Measurement, Reader, list_samples, policy, read, registry
 
 # ---------------------------------------------------------------- CUReT
 
@@ -22,7 +22,7 @@ from motes.measurements import READERS, Measurement, list_samples, policy, read
 def test_curet_angles_samples_and_values(tmp_path: Path):
     angles = files.some_angles(12)
     angles[4] = [0.5, 1.25, 0.9, 1.25]  # equal azimuths: backscatter
-    values = {3: list(np.linspace(0.1, 0.9, 12)), 7: [0.2] * 11 + [-0.009]}
+    values = {3: list(np.linspace(0.1, 0.9, 12)), 7: [0.2] * 10 + [-0.009, -99]}
     folder = files.curet_folder(tmp_path / "curet", values, angles)
     for path in (folder, folder / "abrdf.dat", folder / "table.txt"):
         m = read(path, sample=3)
@@ -84,14 +84,12 @@ def test_curet_real(shared_file):
     table = np.loadtxt(path.parent / "table.txt")
     samples = list_samples(path)
     assert len(samples) == 41
-    negative = 0
     for row in raw:
         m = read(path, sample=int(row[0]))
         assert (m.n_directions, m.n_channels) == (205, 1)
         np.testing.assert_array_equal(m.values[0, :, 0], row[1:])
-        negative += m.masked.get(policy.NEGATIVE, 0)
-        assert policy.CLIPPED not in m.masked  # averaged over channels: no sample repeats its maximum
-    assert negative == np.count_nonzero(raw[:, 1:] < 0) > 0
+        assert not m.masked  # averaged over channels: no sample repeats its maximum; the negative ones are noise
+    assert np.count_nonzero(raw[:, 1:] < 0) > 0
     same = np.abs(table[:, 2] - table[:, 4]) < 1e-9
     assert same.any()
     np.testing.assert_allclose(m.dphi[same], 0, atol=1e-6)
@@ -337,7 +335,7 @@ def test_mbsdf_bins(tmp_path: Path):
             + (np.degrees(np.abs(m.dphi)) - (30 * k + 15)) ** 2
         )
         np.testing.assert_allclose(m.values[0, row], values[i, j, k], rtol=1e-6)
-    assert dict(m.masked) == {"negative (out of gamut)": 1}
+    assert not m.masked
 
 
 def test_mbsdf_weights_integrate_over_pairs_of_directions(tmp_path: Path):
@@ -387,7 +385,8 @@ def test_mbsdf_real(shared_file):
     m = read(shared_file("mbsdf/carpaint_blue.mbsdf"))
     assert (m.n_directions, m.channels) == (45 * 45 * 90, ("R", "G", "B"))
     raw = np.fromfile(shared_file("mbsdf/carpaint_blue.mbsdf"), "<f4", 45 * 45 * 90 * 3, offset=55)
-    assert dict(m.masked) == {"negative (out of gamut)": np.count_nonzero(raw < 0)}
+    assert np.count_nonzero(raw < 0) > 60_000  # colours outside the gamut are data
+    assert sum(m.masked.values()) < 1e-4 * raw.size
     np.testing.assert_array_equal(np.unique(np.degrees(m.theta_r).round(6)), np.arange(1, 90, 2))
     # the highlight is where light reflects: dphi = pi and theta_r near theta_i
     at_31 = np.abs(np.degrees(m.theta_i) - 31) < 0.1
@@ -434,7 +433,7 @@ def test_csv_radians_degrees_and_missing_phi_i(tmp_path: Path):
 def test_csv_wavelengths_empty_cells_comments(tmp_path: Path):
     m = table(
         tmp_path,
-        "\ufeff# by hand\n\ntheta_i\ttheta_r\tphi_r\t400\t500 nm # two\n0.1\t0.2\t0.3\t0.5\t\n0.1\t0.3\t0.3\t-1\tinf\n",
+        "\ufeff# by hand\n\ntheta_i\ttheta_r\tphi_r\t400\t500 nm # two\n0.1\t0.2\t0.3\t0.5\t\n0.1\t0.3\t0.3\t-99\tinf\n",
     )
     assert m.wavelengths.tolist() == [400, 500]
     assert m.channels == ("400 nm", "500 nm")
@@ -562,3 +561,45 @@ def test_importing_is_light():
     code = f"import sys, motes.measurements; print([m for m in {heavy} if m in sys.modules])"
     result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert result.stdout.strip() == "[]"
+
+
+# ---------------------------------------------------------------- formats of other packages
+
+
+class EntryPoint:
+    """What `importlib.metadata` tells of a reader that a package adds."""
+
+    def __init__(self, value: str, reader: object) -> None:
+        self.value, self.reader = value, reader
+
+    def load(self) -> object:
+        if isinstance(self.reader, Exception):
+            raise self.reader
+        return self.reader
+
+
+def test_other_packages_add_formats(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    def sniff(path: Path, head: bytes) -> bool:
+        return head.startswith(b"LAB 1")
+
+    def read_lab(path: Path, *, scale: float = 1.0) -> Measurement:
+        w = from_spherical([0.1, 0.2], 0.0)
+        return Measurement.from_arrays(w, w, [scale, scale], provenance={"format": "lab"})
+
+    points = [
+        EntryPoint("lab:READER", Reader("lab", "a format of the laboratory's", "the laboratory", sniff, read_lab)),
+        EntryPoint("broken:READER", ImportError("no module named broken")),
+        EntryPoint("wrong:READER", 7),
+        EntryPoint("thief:READER", Reader("merl", "", "", sniff, read_lab)),
+    ]
+    monkeypatch.setattr(registry.metadata, "entry_points", lambda group: points if group == "motes.readers" else [])
+    (tmp_path / "a.lab").write_bytes(b"LAB 1\n")
+    assert read(tmp_path / "a.lab").provenance["format"] == "lab"
+    assert read(tmp_path / "a.lab", format="lab", scale=2.0).values.max() == 2
+    assert {*registry.readers()} == {*READERS, "lab"}
+    (tmp_path / "b.bin").write_bytes(b"LAB 2\0")
+    for option in ({}, {"format": "unheard-of"}):
+        with pytest.raises(FormatError) as caught:
+            read(tmp_path / "b.bin", **option)
+        for words in ("lab", "no module named broken", "wrong:READER is a int", "name of another format, merl"):
+            assert words in str(caught.value)

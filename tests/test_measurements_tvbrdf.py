@@ -133,14 +133,14 @@ def test_repeated_directions_are_told_apart_in_any_order(tmp_path: Path):
 def test_light_below_the_horizon_and_broken_values(tmp_path: Path):
     path = tmp_path / "scan01_brdf_camera1_allexposures.txt"
     path.write_text(
-        "F 1 1 1\nL 0.6 0 -0.8\nV 0 0 1\nF -1 nan 3\nL 0 0 1\nV 0.6 0 0.8\n"
+        "F 1 1 1\nL 0.6 0 -0.8\nV 0 0 1\nF -9e5 nan 3\nL 0 0 1\nV 0.6 0 0.8\n"
         "F 1 2 3\nL 1 0 0\nV 0 0 1\nF 1 2 3\nL 0 0 1\nV 0 0 1\n"
     )
     m = read(path)
     assert dict(m.masked) == {policy.BELOW_HORIZON: 6, policy.NOT_FINITE: 1, policy.NEGATIVE: 1}
     np.testing.assert_array_equal(m.values[0, 3], [3, 2, 1])
     assert np.isnan(m.values[0, 0]).all()
-    assert m.values[0, 1, 2] == -1
+    assert m.values[0, 1, 2] == -9e5
 
 
 def test_a_database_folder_lists_its_samples(tmp_path: Path):

@@ -28,7 +28,7 @@ def sniff(path: Path, head: bytes) -> bool:
     return len(data) >= 1 and len(data[0]) == 1 and reading.integer(data[0][0]) is not None
 
 
-def read(path: Path) -> Measurement:
+def read_cornell(path: Path) -> Measurement:
     """The measurement, all wavelengths as channels."""
     comments: list[str] = []
     tokens: list[str] = []

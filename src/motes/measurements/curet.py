@@ -42,7 +42,7 @@ def samples(path: Path) -> list[str]:
     return [str(n) for n in _rows(_values_file(path))]
 
 
-def read(path: Path, *, sample: int | str | None = None) -> Measurement:
+def read_curet(path: Path, *, sample: int | str | None = None) -> Measurement:
     """One sample.
 
     Parameters

@@ -3,8 +3,8 @@ them.
 
 ``NVIDIA ARC MBSDF V1``, lines of text, ``MBSDF_DATA_REFLECTION=``; int32 type (0 scalar, 1 RGB), n_theta, n_phi;
 float32 [theta_in][theta_out][phi][channel].  theta spans [0, pi/2] and phi [0, pi], whose last bin is the specular
-side.  Bins are read at their centres. The values obey reciprocity as they are (no cosine in them); small negative ones
-are out of gamut and masked.
+side.  Bins are read at their centres. The values obey reciprocity as they are (no cosine in them); small negative ones,
+of colours outside the gamut, are data like others.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ def sniff(path: Path, head: bytes) -> bool:
     return head.startswith(MAGIC)
 
 
-def read(path: Path) -> Measurement:
+def read_mbsdf(path: Path) -> Measurement:
     """The reflection table, one pair of directions a bin, weighted by solid angle."""
     header = reading.head(path, HEADER)
     reading.require(
@@ -77,14 +77,11 @@ def read(path: Path) -> Measurement:
         )
     if TRANSMISSION in header[:start]:
         notes.append("The file holds a transmission too, which is not read")
-    with np.errstate(invalid="ignore"):
-        negative = (values < 0)[None]
     return Measurement.from_arrays(
         directions.from_spherical(theta_i.reshape(-1), 0.0),
         directions.from_spherical(theta_r.reshape(-1), dphi.reshape(-1)),
         values,
         weights=weights.reshape(-1),
-        reasons={"negative (out of gamut)": negative},
         provenance={"format": NAME, "path": str(path), "name": path.stem, "source": SOURCE, "notes": notes},
     )
 

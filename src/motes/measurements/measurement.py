@@ -46,6 +46,12 @@ class Measurement:
         ``"h"``, or ``"scan"`` where only the order is known.
     wavelengths
         (C,) [nm], or None.
+    uncertainties
+        (T, N, C), one standard deviation of the noise of each sample [1/sr], independent from sample to sample; NaN where
+        it is not known; None where none is.
+    common_uncertainty
+        One standard deviation of an error of scale that all samples share, relative (0.02 is 2 %): of the lamp, of the
+        standard that it was calibrated with.  None where it is not known.
     """
 
     wi: NDArray[np.float64]
@@ -59,12 +65,14 @@ class Measurement:
     provenance: Mapping[str, Any]
     time_unit: str = "h"
     wavelengths: NDArray[np.float64] | None = None
+    uncertainties: NDArray[np.float64] | None = None
+    common_uncertainty: float | None = None
     # Why each sample is masked (see `policy.judge`): what lets a selection count its own masked samples.
     _codes: NDArray[np.uint8] | None = field(default=None, repr=False)
     _reasons: tuple[str, ...] = field(default=(), repr=False)
 
     def __post_init__(self) -> None:
-        for name in ("wi", "wo", "values", "times", "mask", "weights", "wavelengths", "_codes"):
+        for name in ("wi", "wo", "values", "times", "mask", "weights", "wavelengths", "uncertainties", "_codes"):
             array = getattr(self, name)
             if array is not None:
                 array = np.asarray(array).view()
@@ -86,6 +94,8 @@ class Measurement:
         provenance: Mapping[str, Any] | None = None,
         time_unit: str = "h",
         reasons: Mapping[str, ArrayLike] | None = None,
+        uncertainties: ArrayLike | None = None,
+        common_uncertainty: float | None = None,
     ) -> Measurement:
         """A measurement from arrays, checked, with invalid samples masked and counted.
 
@@ -109,27 +119,29 @@ class Measurement:
         reasons
             Reason -> boolean array broadcastable to (T, N, C), True where a sample is to be masked for this reason;
             these come before the general rules.
+        uncertainties
+            One standard deviation a sample [1/sr], broadcastable to the shape of `values`; NaN where it is not known.
+            For relative ones give ``0.02 * np.abs(values)``.
+        common_uncertainty
+            That of a scale that all samples share, relative.
 
         Raises
         ------
         DataError
-            For shapes that do not fit, directions that are not unit vectors, times that do not increase.
+            For shapes that do not fit, directions that are not unit vectors, times that do not increase, uncertainties
+            that are not above 0.
 
         Examples
         --------
         >>> from motes.directions import from_spherical
-        >>> m = Measurement.from_arrays(from_spherical([0.1, 0.2], 0), from_spherical([0.3, 0.4], 1), [0.25, -0.01])
+        >>> m = Measurement.from_arrays(from_spherical([0.1, 0.2], 0), from_spherical([0.3, 0.4], 1), [0.25, float("nan")])
         >>> m.mask.ravel().tolist(), dict(m.masked)
-        ([True, False], {'negative': 1})
+        ([True, False], {'not a finite number': 1})
         """
         wi, wo = policy.unit_directions(wi, "wi"), policy.unit_directions(wo, "wo")
         if len(wi) != len(wo):
             raise DataError(f"wi has {len(wi)} rows and wo {len(wo)}", "Give one pair of directions a sample")
-        values = _numbers(values, "values")
-        if values.ndim == 1:
-            values = values[:, None]
-        if values.ndim == 2:
-            values = values[None]
+        values = _samples(_numbers(values, "values"))
         if values.ndim != 3 or values.shape[1] != len(wi) or 0 in values.shape:
             raise DataError(
                 f"values has shape {values.shape}, which is not (T, N, C) for N = {len(wi)} directions",
@@ -159,19 +171,28 @@ class Measurement:
                 f"weights are {_some(weights)} for {n_directions} directions",
                 "Give one number >= 0 a direction, at least one positive",
             )
-        codes, names = policy.judge(wi, wo, values, _broadcast(mask, values.shape), reasons)
+        spread = None if uncertainties is None else _uncertainties(uncertainties, values)
+        if common_uncertainty is not None and not 0 < common_uncertainty < 1:
+            raise DataError(
+                f"common_uncertainty = {common_uncertainty:g} is outside (0, 1)",
+                "It is relative: 0.02 is 2 % of the scale; leave it out where none is known",
+            )
+        channels = _channels(channels, wavelengths, n_channels)
+        codes, names = policy.judge(wi, wo, values, _broadcast(mask, values.shape), reasons, spread, channels)
         return cls(
             wi=wi,
             wo=wo,
             values=values,
             times=times,
-            channels=_channels(channels, wavelengths, n_channels),
+            channels=channels,
             mask=codes == 0,
             weights=weights,
             masked=_count(codes, names),
             provenance=dict(provenance or {}),
             time_unit=time_unit,
             wavelengths=wavelengths,
+            uncertainties=spread,
+            common_uncertainty=None if common_uncertainty is None else float(common_uncertainty),
             _codes=codes,
             _reasons=names,
         )
@@ -220,6 +241,7 @@ class Measurement:
             values=self.values[one],
             mask=self.mask[one],
             times=self.times[one],
+            uncertainties=None if self.uncertainties is None else self.uncertainties[one],
             _codes=None if self._codes is None else self._codes[one],
         )
 
@@ -251,6 +273,7 @@ class Measurement:
             weights=self.weights[indices],
             values=self.values[:, indices],
             mask=self.mask[:, indices],
+            uncertainties=None if self.uncertainties is None else self.uncertainties[:, indices],
             _codes=None if self._codes is None else self._codes[:, indices],
         )
 
@@ -300,6 +323,11 @@ class Measurement:
                 "notes": "; ".join(self.provenance.get("notes", ())),
             },
         )
+        if self.uncertainties is not None:
+            about = {"units": "1/sr", "long_name": "standard uncertainty of f_r"}
+            dataset = dataset.assign(f_r_uncertainty=(("time", "direction", "channel"), self.uncertainties, about))
+        if self.common_uncertainty is not None:
+            dataset.attrs["common_uncertainty"] = self.common_uncertainty
         if self.wavelengths is not None:
             dataset = dataset.assign_coords(wavelength=("channel", self.wavelengths, {"units": "nm"}))
         return dataset
@@ -325,7 +353,22 @@ class Measurement:
             "n_usable": int(usable.size),
             "masked": {reason: int(n) for reason, n in self.masked.items()},
             "weighted": bool(np.ptp(self.weights) > 0),
+            "uncertainties": self._uncertainty_facts(),
+            "common_uncertainty": self.common_uncertainty,
             **_plain(dict(self.provenance)),
+        }
+
+    def _uncertainty_facts(self) -> dict[str, Any] | None:
+        """How many usable samples have an uncertainty, its range [1/sr], and its median relative to the values."""
+        if self.uncertainties is None:
+            return None
+        known = self.mask & np.isfinite(self.uncertainties)
+        u, f = self.uncertainties[known], np.abs(self.values[known])
+        relative = u[f > 0] / f[f > 0]
+        return {
+            "n_samples": int(known.sum()),
+            "range": _range(u),
+            "relative_median": float(np.median(relative)) if relative.size else None,
         }
 
     def _known_codes(self) -> tuple[NDArray[np.uint8], tuple[str, ...]]:
@@ -344,6 +387,34 @@ def _numbers(array: ArrayLike, label: str) -> NDArray[np.float64]:
         return np.array(array, np.float64)
     except (TypeError, ValueError) as error:
         raise DataError(f"{label} are not numbers: {error}", "Give an array of real numbers") from None
+
+
+def _samples(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(N,) or (N, C) as (1, N, C)."""
+    if values.ndim == 1:
+        values = values[:, None]
+    return values[None] if values.ndim == 2 else values
+
+
+def _uncertainties(given: ArrayLike, values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Standard deviations (T, N, C), checked."""
+    array = _numbers(given, "uncertainties")
+    try:
+        array = np.array(np.broadcast_to(_samples(array) if array.ndim else array, values.shape))
+    except ValueError:
+        raise DataError(
+            f"uncertainties have shape {array.shape}, which does not fit the values {values.shape}",
+            "Give one standard deviation [1/sr] a sample, in the shape of the values",
+        ) from None
+    bad = (array <= 0) | np.isinf(array)
+    if bad.any():
+        t, n, c = (int(i) for i in np.argwhere(bad)[0])
+        raise DataError(
+            f"the uncertainty of direction {n}, channel {c}, time {t} is {array[t, n, c]:g}; "
+            f"{int(bad.sum())} of {bad.size} are not above 0 and finite",
+            "An uncertainty is one standard deviation [1/sr]; give NaN where it is not known",
+        )
+    return array
 
 
 def _broadcast(mask: ArrayLike | None, shape: tuple[int, ...]) -> NDArray[np.bool_] | None:

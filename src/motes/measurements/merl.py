@@ -31,7 +31,7 @@ def sniff(path: Path, head: bytes) -> bool:
     return n_h == n_d and n_p in (2 * n_d, 4 * n_d) and 0 < n_h <= 4096
 
 
-def read(path: Path) -> Measurement:
+def read_merl(path: Path) -> Measurement:
     """The table as a measurement: its bins above the horizon, with their solid angles as weights."""
     header = reading.head(path, 12)
     reading.require(

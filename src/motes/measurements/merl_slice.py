@@ -31,7 +31,7 @@ def sniff(path: Path, head: bytes) -> bool:
     return b"\0" not in head and b"#PARAM_IN" in head and b"COS_TH" in head
 
 
-def read(path: Path) -> Measurement:
+def read_merl_slice(path: Path) -> Measurement:
     """The slice, at the cosines of its rows or the centres of its pixels."""
     if reading.head(path, 4) == _exr.MAGIC:
         return _picture(path)

@@ -3,12 +3,21 @@
 Every reader hands its samples to `Measurement.from_arrays`, which applies these rules once, in this order.  A sample is
 counted under the first rule that it breaks, so the counts add up to the number of masked samples.
 
-1. *Reasons of the reader's own* are masked under its words: ``not measured in this scan``; ``negative (out of gamut)``
-   (RGL, MBSDF); ``negative (invalid bin)`` (MERL); ``clipped at the ceiling`` (CUReT, TVBRDF, CSV; see `clipped`).
-2. *A direction at or below the horizon* is masked: ``wi`` or ``wo`` has cos(theta) <= 0, where a BRDF is not defined.
-3. *NaN and infinite* values are masked.
-4. *Negative* values are masked: no surface reflects less than nothing; it is noise, a bad calibration or a marker.
-5. *Excluded by the caller*: the ``mask`` given to `from_arrays`, and `Measurement.with_mask`.
+1. *Reasons of the reader's own* are masked under its words: ``not measured in this scan``; ``negative (invalid bin)``
+   (MERL, whose negative values are markers); ``clipped at the ceiling`` (CUReT, TVBRDF, tables; see `clipped`).
+   Cost: what a sensor clips is bright, so a highlight whose top is masked is fitted from its flanks.
+2. *A direction at or below the horizon* is masked: ``wi`` or ``wo`` has a cosine of at most `directions.HORIZON`, where
+   a BRDF is not defined.  Cost: none; 89.99994 degrees is the last angle kept.
+3. *NaN and infinite* values are masked.  Cost: none if they are missing at random; a bias if they stand for values that
+   were too bright or too dark to be read.
+4. *Negative values are data* where noise explains them: a dark surface measured with noise reads below 0 as often as
+   noise takes it there, and to leave those samples out would leave the upward noise only (a channel of K_d = 0.005
+   under noise of 0.003/sr comes out as 0.009).  The same holds for colours outside the gamut of R, G and B (RGL, MBSDF):
+   they are linear values like others.  Masked is only what cannot be a value: a marker such as -1 or -999, and what lies
+   further below 0 than the scatter of its channel explains; see `impossible`.  Cost: a single faulty reading a little
+   below 0 stays among the data, as one above 0 does; `robust=` makes both count less.
+5. *Excluded by the caller*: the ``mask`` given to `from_arrays`, and `Measurement.with_mask`.  Cost: the caller's to
+   know; a mask that looks at the values (``values > 0``) biases as described under 4.
 
 Values of exactly 0 are kept: a dark sample is a sample.
 
@@ -24,19 +33,25 @@ counted in ``provenance["dropped"]``.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from motes import directions
 from motes.errors import DataError
 
 BELOW_HORIZON = "direction at or below the horizon"
 NOT_FINITE = "not a finite number"
-NEGATIVE = "negative"
+MARKER = "negative (a marker: the same number again and again, apart from the others)"
+NEGATIVE = "negative beyond what noise explains"
 EXCLUDED = "excluded by the caller"
 CLIPPED = "clipped at the ceiling"
 NOT_MEASURED = "not measured in this scan"
+
+STEEPEST = 0.05  # a cosine, or product of two, that a reading is divided by; smaller ones explain no more noise
+NOISE_WIDTHS = 5.0  # standard deviations of noise that a value may lie below 0; beyond them is 1 sample in 3,500,000
+FEWEST = 10  # samples that tell their scatter, or that are not all negative by chance
 
 NORM_TOLERANCE = (
     1e-3  # three decimals survive in any sensible text file; a larger deviation is another quantity or a typing error
@@ -80,6 +95,8 @@ def judge(
     values: NDArray[np.float64],
     mask: NDArray[np.bool_] | None,
     reasons: Mapping[str, ArrayLike] | None,
+    uncertainties: NDArray[np.float64] | None = None,
+    channels: Sequence[str] = (),
 ) -> tuple[NDArray[np.uint8], tuple[str, ...]]:
     """Why each sample (T, N, C) is masked: 0 where it is usable, else 1 + the reason's place in the names returned."""
     codes = np.zeros(values.shape, np.uint8)
@@ -93,12 +110,85 @@ def judge(
 
     for name, where in (reasons or {}).items():
         exclude(name, where)
-    exclude(BELOW_HORIZON, ((wi[:, 2] <= 0) | (wo[:, 2] <= 0))[None, :, None])
+    exclude(BELOW_HORIZON, ~directions.above(wi, wo)[None, :, None])
     exclude(NOT_FINITE, ~np.isfinite(values))
-    exclude(NEGATIVE, values < 0)
+    with np.errstate(invalid="ignore"):
+        negative = values < 0
+    if negative.any():
+        marker, beyond = impossible(wi, wo, np.where(codes == 0, values, np.nan), uncertainties, channels)
+        exclude(MARKER, marker)
+        exclude(NEGATIVE, beyond)
     if mask is not None:
         exclude(EXCLUDED, ~mask)
     return codes, tuple(names)
+
+
+def impossible(
+    wi: NDArray[np.float64],
+    wo: NDArray[np.float64],
+    values: NDArray[np.float64],
+    uncertainties: NDArray[np.float64] | None = None,
+    channels: Sequence[str] = (),
+) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Negative samples (T, N, C) that cannot be values: markers, and those beyond what noise explains.
+
+    Parameters
+    ----------
+    wi, wo
+        Unit vectors (N, 3).
+    values
+        (T, N, C) [1/sr]; NaN where a sample is masked already.
+    uncertainties
+        (T, N, C), standard deviations [1/sr], NaN where unknown; or None.
+    channels
+        Their names.
+
+    Notes
+    -----
+    A *marker* is the lowest value of its time and channel where at least three samples share exactly it, twice as many
+    as share any of the next ten levels: noise that is rounded to few digits has its fewest samples at the end.
+
+    *Noise explains* a value down to `NOISE_WIDTHS` times its uncertainty, or times the scatter of its time and channel,
+    whichever is more.  The scatter is an upper bound, from the positive samples: noise about 0 of the standard deviation
+    s has positive samples of the median 0.6745 s, whose absolute deviation from it has the median 0.40 s; the signal
+    makes both larger.  The smaller of the two bounds counts, but no less than the step between rounded values.  An
+    instrument divides its reading, whose noise is even, by neither cosine, one of them or both: the largest bound of the
+    four counts.  Of R, G and B one may also be as far below 0 as another is above it at the same directions: a saturated
+    colour outside the gamut.  A channel of ten samples or more without a positive one is no noise about 0.
+    """
+    marker, beyond = np.zeros(values.shape, bool), np.zeros(values.shape, bool)
+    gamut = np.fmax.reduce(values, axis=2) if tuple(channels) == ("R", "G", "B") else np.zeros(values.shape[:2])
+    shapes = [np.maximum(shape, STEEPEST) for shape in (1 + 0 * wi[:, 2], wi[:, 2], wo[:, 2], wi[:, 2] * wo[:, 2])]
+    for t in range(values.shape[0]):
+        for c in range(values.shape[2]):
+            v = values[t, :, c]
+            below = v < 0
+            if not below.any():
+                continue
+            levels, counts = np.unique(v[np.isfinite(v)], return_counts=True)
+            if counts[0] >= 3 and counts[0] >= 2 * max(counts[1:11], default=1):
+                marker[t, :, c] = v == levels[0]
+            bright = v > 0
+            if not bright.any():  # nothing to measure the noise by; noise about 0 has both signs
+                beyond[t, :, c] = below & (int(below.sum()) >= FEWEST)
+                continue
+            step = float(np.min(np.diff(levels[levels > 0], prepend=0.0)))  # of rounded values
+            limit = NOISE_WIDTHS * np.maximum(
+                np.max([_scatter((v * shape)[bright]) / shape for shape in shapes], axis=0), step
+            )
+            if uncertainties is not None:
+                limit = np.fmax(limit, NOISE_WIDTHS * uncertainties[t, :, c])
+            beyond[t, :, c] = below & (-v > np.fmax(limit, gamut[t]))
+    return marker, beyond
+
+
+def _scatter(positive: NDArray[np.float64]) -> float:
+    """An upper bound of the standard deviation of the noise, from the samples above 0; see `impossible`."""
+    middle = float(np.median(positive))
+    scatter = middle / 0.6745
+    if len(positive) >= FEWEST:
+        scatter = min(scatter, float(np.median(np.abs(positive - middle))) / 0.40)
+    return scatter
 
 
 def clipped(wi: NDArray[np.float64], wo: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.bool_]:

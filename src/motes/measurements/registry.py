@@ -1,4 +1,8 @@
-"""The table of formats, and `read`, which finds the right one from what a file or folder holds."""
+"""The table of formats, and `read`, which finds the right one from what a file or folder holds.
+
+Other packages add formats through entry points of the group ``motes.readers``, each of which names a `Reader`; see
+``docs/data.md``.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +10,7 @@ import inspect
 import os
 from collections.abc import Callable
 from dataclasses import dataclass
+from importlib import metadata
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -54,37 +59,67 @@ class Reader:
 
 # Binary formats with a magic number first, then those that are told apart by their text.
 _TABLE = (
-    Reader(rgl.NAME, "RGL tensor file (.bsdf), adaptive RGB or spectral", rgl.SOURCE, rgl.sniff, rgl.read),
-    Reader(mbsdf.NAME, "MBSDF table of the MDL SDK", mbsdf.SOURCE, mbsdf.sniff, mbsdf.read),
+    Reader(rgl.NAME, "RGL tensor file (.bsdf), adaptive RGB or spectral", rgl.SOURCE, rgl.sniff, rgl.read_rgl),
+    Reader(mbsdf.NAME, "MBSDF table of the MDL SDK", mbsdf.SOURCE, mbsdf.sniff, mbsdf.read_mbsdf),
     Reader(
         merl_slice.NAME,
         "slice of a MERL table (.alta text or 512 x 512 .exr)",
         merl_slice.SOURCE,
         merl_slice.sniff,
-        merl_slice.read,
+        merl_slice.read_merl_slice,
     ),
-    Reader(merl.NAME, "MERL table (.binary), 90 x 90 x 180 RGB", merl.SOURCE, merl.sniff, merl.read),
+    Reader(merl.NAME, "MERL table (.binary), 90 x 90 x 180 RGB", merl.SOURCE, merl.sniff, merl.read_merl),
     Reader(
         tvbrdf.NAME,
         "TVBRDF sample folder: scans over time, 4 cameras, RGB",
         tvbrdf.SOURCE,
         tvbrdf.sniff,
-        tvbrdf.read,
+        tvbrdf.read_tvbrdf,
         tvbrdf.samples,
     ),
-    Reader(staf.NAME, "STAF folder of polynomial parameter maps (.exr)", staf.SOURCE, staf.sniff, staf.read),
+    Reader(staf.NAME, "STAF folder of polynomial parameter maps (.exr)", staf.SOURCE, staf.sniff, staf.read_staf),
     Reader(
         curet.NAME,
         "CUReT abrdf.dat with table.txt, 205 directions, grey",
         curet.SOURCE,
         curet.sniff,
-        curet.read,
+        curet.read_curet,
         curet.samples,
     ),
-    Reader(table.NAME, "CSV: theta_i,phi_i,theta_r,phi_r[,time],<channel>...", table.SOURCE, table.sniff, table.read),
-    Reader(cornell.NAME, "Cornell spectral goniometer text (.brdf)", cornell.SOURCE, cornell.sniff, cornell.read),
+    Reader(
+        cornell.NAME, "Cornell spectral goniometer text (.brdf)", cornell.SOURCE, cornell.sniff, cornell.read_cornell
+    ),
+    Reader(
+        table.NAME, "CSV: theta_i,phi_i,theta_r,phi_r[,time],<channel>...", table.SOURCE, table.sniff, table.read_table
+    ),
 )
+#: The formats that Motes itself reads, by name.
 READERS: dict[str, Reader] = {reader.name: reader for reader in _TABLE}
+GROUP = "motes.readers"
+
+
+def readers() -> dict[str, Reader]:
+    """All formats by name: `READERS`, and those that installed packages add."""
+    return READERS | _added()[0]
+
+
+def _added() -> tuple[dict[str, Reader], list[str]]:
+    """The readers of installed packages, and a sentence on each entry point that gives none."""
+    found: dict[str, Reader] = {}
+    failures: list[str] = []
+    for point in metadata.entry_points(group=GROUP):
+        try:
+            reader = point.load()
+        except Exception as error:  # whatever another package does when it is imported
+            failures.append(f"the reader {point.value} cannot be loaded ({type(error).__name__}: {error})")
+            continue
+        if not isinstance(reader, Reader):
+            failures.append(f"{point.value} is a {type(reader).__name__}, not a Reader")
+        elif reader.name in READERS or reader.name in found:
+            failures.append(f"{point.value} has the name of another format, {reader.name}")
+        else:
+            found[reader.name] = reader
+    return found, failures
 
 
 def read(
@@ -102,7 +137,7 @@ def read(
     path
         A file, or a folder (CUReT, TVBRDF, STAF).
     format
-        A name in `READERS`, to skip the search.
+        A name in `readers`, to skip the search.
     sample
         Which sample, where the file or folder holds several; see `list_samples`.
     times
@@ -142,9 +177,16 @@ def list_samples(path: str | os.PathLike[str], *, format: str | None = None) -> 
 
 def _find(path: str | os.PathLike[str], format: str | None) -> tuple[Path, Reader]:
     path = Path(path).expanduser()
-    if format is not None and format not in READERS:
-        raise FormatError(f"There is no format {format!r}", f"The formats are: {', '.join(READERS)}")
-    return path, _guarded(path, lambda: READERS[format] if format is not None and _exists(path) else _detect(path))
+    if format is None:
+        return path, _guarded(path, lambda: _detect(path))
+    reader = READERS.get(format) or readers().get(format)
+    if reader is None:
+        failures = _added()[1]
+        raise FormatError(
+            "; ".join([f"There is no format {format!r}", *failures]), f"The formats are: {', '.join(readers())}"
+        )
+    _guarded(path, lambda: _exists(path))
+    return path, reader
 
 
 def _exists(path: Path) -> bool:
@@ -158,10 +200,15 @@ def _exists(path: Path) -> bool:
 def _detect(path: Path) -> Reader:
     _exists(path)
     head = reading.head(path) if path.is_file() else b""
-    for reader in _TABLE:
+    *formats_of_ours, plain_table = _TABLE
+    for reader in formats_of_ours:
         if reader.sniff(path, head):
             return reader
-    formats = f"The formats are: {', '.join(READERS)}; force one with format="
+    added, failures = _added()
+    for reader in (*added.values(), plain_table):  # whatever is text may be a table, so it is asked last
+        if reader.sniff(path, head):
+            return reader
+    formats = "; ".join([f"The formats are: {', '.join(READERS | added)}; force one with format=", *failures])
     if path.is_dir():
         names = sorted(f.name for f in path.iterdir())
         raise FormatError(

@@ -6,7 +6,7 @@ the material's lobe, for each node of theta_i (and phi_i):
     u = (sqrt(2 theta_m / pi), (phi_m - phi_i + pi) / (2 pi) mod 1);   s = inverse of the vndf warp (u | theta_i);
     f_r cos(theta_o) = rgb(s | theta_i) ndf(u) / (4 sigma(theta_i))
 
-Negative channels are out of gamut and masked.
+Negative channels, of colours outside the gamut of R, G and B or of noise, are data like others; see `motes.measurements.policy`.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def sniff(path: Path, head: bytes) -> bool:
     return head.startswith(MAGIC)
 
 
-def read(path: Path, *, resolution: int = 32) -> Measurement:
+def read_rgl(path: Path, *, resolution: int = 32) -> Measurement:
     """A sample of the file: its angles of incidence x a grid of outgoing directions in its own warped coordinates.
 
     Parameters
@@ -54,10 +54,8 @@ def read(path: Path, *, resolution: int = 32) -> Measurement:
         )
     brdf = TensorBRDF.load(path)
     wi, wo, weights = brdf.directions(int(resolution))
-    above = wo[:, 2] > 0
+    above = directions.above(wo)
     values = brdf.eval(wi[above], wo[above])
-    with np.errstate(invalid="ignore"):
-        negative = (values < 0)[None]
     return Measurement.from_arrays(
         wi[above],
         wo[above],
@@ -65,7 +63,6 @@ def read(path: Path, *, resolution: int = 32) -> Measurement:
         channels=brdf.channels,
         wavelengths=brdf.wavelengths,
         weights=weights[above],
-        reasons={"negative (out of gamut)": negative},
         provenance={
             "format": NAME,
             "path": str(path),
@@ -185,7 +182,7 @@ class TensorBRDF:
             )
         wi, wo = (np.broadcast_to(w, shape).reshape(-1, 3) for w in (wi, wo))
         finite = np.isfinite(wi).all(axis=1) & np.isfinite(wo).all(axis=1)
-        above = finite & (wi[:, 2] > 0) & (wo[:, 2] > 0)
+        above = finite & directions.above(wi, wo)
         result = np.where(finite, 0.0, np.nan)[:, None] * np.ones(len(self.channels))
         result[above] = self._eval(wi[above], wo[above])
         return result.reshape(*shape[:-1], -1)
@@ -229,7 +226,7 @@ class TensorBRDF:
         parts = []
         for p, phi_i in enumerate(self.phi_i if not self.isotropic else self.phi_i[:1]):
             for t, theta_i in enumerate(self.theta_i):
-                if np.cos(theta_i) <= 1e-6:
+                if np.cos(theta_i) <= directions.HORIZON:
                     continue
                 u, density = self._warp.sample(s, p, t)
                 theta_m = u[:, 0] ** 2 * directions.HALF_PI

@@ -27,7 +27,7 @@ def sniff(path: Path, head: bytes) -> bool:
     return head.startswith(_exr.MAGIC) and FILE.fullmatch(path.name) is not None
 
 
-def read(path: Path) -> ParameterMaps:
+def read_staf(path: Path) -> ParameterMaps:
     """The maps of a folder.
 
     Raises

@@ -50,7 +50,7 @@ def sniff(path: Path, head: bytes) -> bool:
     return False
 
 
-def read(path: Path) -> Measurement:
+def read_table(path: Path) -> Measurement:
     """The table as a measurement; rows of one time make a scan."""
     numbered = ((n, line.partition("#")[0].rstrip(" \r")) for n, line in enumerate(reading.text(path).splitlines(), 1))
     lines = [(n, line) for n, line in numbered if line.strip()]

@@ -24,6 +24,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from motes import directions
 from motes.errors import DataError, FormatError, MotesError
 from motes.files import reading
 from motes.measurements import _scans, _timestamps, policy
@@ -52,7 +53,7 @@ def samples(path: Path) -> list[str]:
     return list(_sample_folders(path)) if path.is_dir() and not _scan_files(path) else []
 
 
-def read(
+def read_tvbrdf(
     path: Path, *, sample: int | str | None = None, times: ArrayLike | None = None, irradiance: float | None = None
 ) -> Measurement:
     """A sample: all its scans and cameras on one set of directions.
@@ -117,7 +118,7 @@ def read(
         raise DataError(f"irradiance = {stated!r:.40} is not positive", "It is that of a surface facing the light")
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         values = radiance / (scale * wi[:, 2:])
-    values[:, wi[:, 2] <= 0] = np.nan
+    values[:, ~directions.above(wi)] = np.nan
     if stated is None:
         meaning = "f_r = F / cos(theta_i): the irradiance is unknown, so K_d, K_s and w carry the scale of the source"
     else:
@@ -173,7 +174,7 @@ def write_tvbrdf(
     exposures
         Of the pictures that the radiance was made from.
     irradiance
-        E at normal incidence, which `read` divides by.
+        E at normal incidence, which `read_tvbrdf` divides by.
 
     Returns
     -------

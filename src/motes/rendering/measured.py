@@ -37,7 +37,7 @@ def measured_bsdf(path: str | os.PathLike[str]) -> Any:
         raise DataError(f"{file} does not exist", "Give the path of an RGL (.bsdf) or MERL (.binary) file")
     head = reading.head(file, 4096)
     if rgl.sniff(file, head):
-        rgl.read(file, resolution=4)  # checks what Mitsuba's reader trusts
+        rgl.read_rgl(file, resolution=4)  # checks what Mitsuba's reader trusts
         if not file.stem.endswith("rgb") and not mi.is_spectral:
             raise MotesError(f"{file.name} is spectral", "Use the file of the same material that ends in _rgb.bsdf")
         return load_scene({"type": "measured", "filename": str(file.resolve())})
@@ -54,7 +54,7 @@ def table(path: Path) -> NDArray[np.float32]:
 
     Bins below the horizon take the value of the nearest theta_d above it, and phi_d is continued by one bin on both sides (it repeats after pi).
     """
-    measurement = merl.read(path)  # checks sizes
+    measurement = merl.read_merl(path)  # checks sizes
     shape = merl.FULL if not any("bins instead of" in n for n in measurement.provenance["notes"]) else None
     if shape is None:
         raise DataError(f"{path} does not have {merl.FULL} bins", "Render a full MERL table")
