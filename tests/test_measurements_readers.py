@@ -583,7 +583,7 @@ def test_other_packages_add_formats(tmp_path: Path, monkeypatch: pytest.MonkeyPa
         return head.startswith(b"LAB 1")
 
     def read_lab(path: Path, *, scale: float = 1.0) -> Measurement:
-        w = from_spherical([0.1, 0.2], 0.0)
+        w = directions.from_spherical([0.1, 0.2], 0.0)
         return Measurement.from_arrays(w, w, [scale, scale], provenance={"format": "lab"})
 
     points = [
