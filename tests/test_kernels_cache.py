@@ -90,7 +90,7 @@ def test_a_folder_that_cannot_be_made_is_done_without(
 ) -> None:
     sentences = said(monkeypatch)
     fresh.write_text("a file where the folder would be")
-    with caplog.at_level(logging.INFO, logger="motes.kernels.engine"):
+    with caplog.at_level(logging.INFO, logger="motes.kernels"):
         assert evaluated() == pytest.approx(EXPECTED, rel=1e-15)
     assert f"the cache folder {fresh} cannot be used" in caplog.text
     assert sentences == [f"compiling the evaluation of Lambert in float64 once (not kept: {fresh} cannot be used)"]

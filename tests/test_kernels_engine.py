@@ -22,7 +22,7 @@ from motes import workers
 from motes.arrays import namespace
 from motes.directions import Geometry, Vector
 from motes.errors import DataError, ParameterError
-from motes.kernels import engine
+from motes.kernels import engine, jobs
 from motes.kernels.numba import TILE
 from motes.models import BRDF, Dust, DustLayer, Lambert, OrenNayar, TorranceSparrow
 
@@ -502,7 +502,7 @@ def test_a_forked_process_has_an_engine_of_its_own(monkeypatch: pytest.MonkeyPat
 
 
 def test_an_error_in_a_helper_thread_is_raised(monkeypatch: pytest.MonkeyPatch) -> None:
-    job = engine._Job(Lambert(), np.zeros((5 * engine.CHUNK, 3)), np.zeros(3))
+    job = jobs.Job(Lambert(), np.zeros((5 * engine.CHUNK, 3)), np.zeros(3))
     monkeypatch.setattr(workers, "threads", lambda: 3)
     monkeypatch.setattr(workers, "_pool", None)
     done: list[int] = []

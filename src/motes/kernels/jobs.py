@@ -1,0 +1,127 @@
+"""One call of a kernel: its inputs, checked and laid out, cut into chunks that threads take in turn."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from motes import workers
+from motes.errors import DataError, ParameterError
+from motes.graph.tracing import TracedParameter
+from motes.kernels.numba import TILE
+from motes.parameters import Parametrised, Slot
+
+CHUNK = 32 * TILE  # directions that a thread takes at a time
+Array = NDArray[Any]
+
+
+class Job:
+    """Checked inputs of a call: directions as (N, 3) arrays, parameters as uniform numbers or values that vary."""
+
+    def __init__(self, model: Parametrised, wi: ArrayLike, wo: ArrayLike) -> None:
+        self.model = model
+        wi, wo = np.asarray(wi), np.asarray(wo)
+        for name, w in (("wi", wi), ("wo", wo)):
+            if w.ndim == 0 or w.shape[-1] != 3:
+                raise DataError(f"{name} has shape {w.shape}: the last axis must have length 3", "Pass arrays (..., 3)")
+        single = all(w.dtype.kind == "f" and w.dtype.itemsize == 4 for w in (wi, wo))
+        self.scalar = np.dtype(np.float32 if single else np.float64)
+        self.channels = int(model.channels)  # type: ignore[attr-defined]
+        self.slots = {slot.name: slot for slot in model.slots()}
+        batches = {name: _batch(slot) for name, slot in self.slots.items()}
+        try:
+            self.shape = np.broadcast_shapes(wi.shape[:-1], wo.shape[:-1], *batches.values())
+        except ValueError:
+            listed = ", ".join(f"{name} {shape}" for name, shape in batches.items() if shape)
+            raise ParameterError(
+                f"{type(model).__name__}: directions {wi.shape}, {wo.shape} and parameters do not broadcast ({listed or 'no axes'})",
+                "All axes of a parameter but the channels must fit those of the directions",
+            ) from None
+        self.count = int(np.prod(self.shape))
+        self.chunks = -(-self.count // CHUNK)
+        self.wi, self.wo = (self._flat(w) for w in (wi, wo))
+        self.varying = tuple(name for name, shape in batches.items() if np.prod(shape) != 1)
+
+    def _flat(self, w: Array) -> Array:
+        """Directions as (N, 3), without a copy where strides can say it."""
+        w = w.astype(self.scalar, copy=False)
+        if not w.flags.aligned:
+            w = w.copy()
+        w = np.broadcast_to(w, (*self.shape, 3))
+        return w if w.ndim == 2 else w.reshape(-1, 3)
+
+    def uniform(self, parameter: TracedParameter) -> float:
+        """The value of a parameter that all directions share."""
+        value = np.ravel(self.slots[parameter.slot].value)
+        return float(value[parameter.channel or 0])
+
+    def rows(self, parameters: Sequence[TracedParameter]) -> Array:
+        """The values of varying parameters, a row each."""
+        rows = np.empty((len(parameters), self.count), self.scalar)
+        for row, parameter in zip(rows, parameters, strict=True):
+            slot = self.slots[parameter.slot]
+            value = np.asarray(slot.value)
+            value = value[..., parameter.channel or 0] if slot.parameter.per_channel else value
+            row.reshape(self.shape)[...] = value
+        return rows
+
+    def gathered(self, sums: dict[TracedParameter, float], slopes: dict[TracedParameter, Array]) -> dict[str, Array]:
+        """Derivatives by slot, in the shape of the values."""
+        gradients = {name: np.zeros(np.shape(slot.value)) for name, slot in self.slots.items()}
+        for parameter, total in sums.items():
+            np.reshape(gradients[parameter.slot], -1)[parameter.channel or 0] = total
+        for parameter, slope in slopes.items():
+            slot, gradient = self.slots[parameter.slot], gradients[parameter.slot]
+            target = gradient[..., parameter.channel or 0] if slot.parameter.per_channel else gradient
+            target[...] = _summed(slope.reshape(self.shape), target.shape)
+        return gradients
+
+    def range(self, chunk: int) -> tuple[int, int]:
+        """The first direction of a chunk and the one after its last."""
+        return chunk * CHUNK, min(self.count, (chunk + 1) * CHUNK)
+
+    def run(self, work: Callable[[int, int], None]) -> None:
+        """Call ``work(chunk, room)`` for every chunk, on all cores; `room` is the address of scratch memory."""
+        items = (6 + self.channels) * TILE
+        workers.spread(
+            self.chunks, lambda chunk, room: work(chunk, address(room)), lambda: np.empty(items, self.scalar)
+        )
+
+
+def _batch(slot: Slot) -> tuple[int, ...]:
+    """The axes of a parameter that broadcast against the directions."""
+    shape = np.shape(slot.value)
+    return shape[:-1] if slot.parameter.per_channel else shape
+
+
+def _summed(x: Array, shape: tuple[int, ...]) -> Array:
+    """`x` summed over the axes along which an array of `shape` was broadcast, in float64."""
+    x = x.sum(axis=tuple(range(x.ndim - len(shape))), dtype=np.float64)
+    axes = tuple(k for k, n in enumerate(shape) if n == 1 and x.shape[k] != 1)
+    total: Array = x.sum(axis=axes, keepdims=True)
+    return total
+
+
+def target_of(out: Array | None, shape: tuple[int, ...], job: Job) -> Array:
+    """An array (N, C) to write to: `out` itself where that is possible."""
+    if out is not None and out.flags.aligned and not any(np.may_share_memory(out, w) for w in (job.wi, job.wo)):
+        flat = out.reshape(job.count, job.channels)
+        if np.may_share_memory(out, flat):  # not a copy
+            return flat
+    rows = any(w.strides[0] == w.itemsize for w in (job.wi, job.wo)) and len(job.shape) == 1
+    return (
+        np.empty((job.channels, job.count), job.scalar).T if rows else np.empty((job.count, job.channels), job.scalar)
+    )
+
+
+def address(x: Array) -> int:
+    """Where an array begins in memory."""
+    return int(x.__array_interface__["data"][0])
+
+
+def place(x: Array) -> tuple[int, int, int]:
+    """Address, step and stride in items of an array (N, k)."""
+    return address(x), x.strides[0] // x.itemsize, x.strides[1] // x.itemsize
