@@ -16,9 +16,7 @@ from motes import Material
 from motes.ageing import age
 from motes.errors import MotesError, ParameterError
 from motes.exports import TARGETS, export, targets
-from motes.exports.approximation import LOST
-from motes.models import Sum
-from motes.models.expressions import MODELS as NAMED
+from motes.models import BRDF, Sum, registered
 from shader_support import MODELS
 
 PAINT = age(Material(MODELS["plaster_and_coat"], name="Wet paint", channels=("R", "G", "B")), "drying_paint", hours=6)
@@ -101,7 +99,9 @@ def test_the_same_twice(to: str, tmp_path: Path) -> None:
 
 
 def test_every_model_has_a_lobe_and_a_sentence() -> None:
-    assert set(LOST) | {Sum} == {*NAMED.values(), Sum}
+    for cls in registered(BRDF).values():
+        assert {"words", "approximation", "standard_lobes"} <= vars(cls).keys(), cls
+    assert "in_words" in vars(Sum)
 
 
 def test_doctest() -> None:

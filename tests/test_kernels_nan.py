@@ -18,8 +18,7 @@ from motes.graph import tracing
 from motes.graph.nan import careful
 from motes.graph.tracing import Graph
 from motes.kernels import engine
-from motes.models import BRDF
-from motes.models.base import Component
+from motes.models import BRDF, Component
 from motes.parameters import parameter
 
 

@@ -417,9 +417,9 @@ def test_models_that_the_layout_cannot_hold(fitted: maps.FittedMap, tmp_path: Pa
     from dataclasses import replace
 
     for model, words in (
-        ("dust_layer(lambert)", "no place for dust"),
+        ("dust_layer(lambert)", "no place for Lambert under dust"),
         ("lambert + oren_nayar", "one lobe of a kind"),
-        ("lambert + torrance_sparrow(fresnel=schlick)", "no Fresnel term"),
+        ("lambert + torrance_sparrow(fresnel=schlick)", "with F = 1"),
     ):
         other = replace(fitted, plan=replace(fitted.plan, model=model))
         with pytest.raises(MotesError, match=words):

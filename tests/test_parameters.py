@@ -263,5 +263,5 @@ def test_new_values_are_checked() -> None:
 def test_every_field_is_a_parameter_an_option_or_a_part(entry: Entry) -> None:
     for part in parts(entry.model):
         assert isinstance(part, Parametrised)
-        names = {p.name for p in part.declared()} | set(part.options()) | set(part.children())
+        names = {p.name for p in part.declared()} | set(part.options()) | {p.name for p in part.declared_parts()}
         assert names == {f.name for f in fields(part)}

@@ -168,6 +168,12 @@ def fresnel_conductor(xp: Array, cos_theta: Array, n: Array, k: Array) -> Array:
     return 0.5 * (s + p)
 
 
+def fresnel_normal(n: Array, k: Array) -> Array:
+    """F at normal incidence on an interface of index n + ik, where both polarisations agree (Born & Wolf, section 14.2)."""
+    less, more = n - 1, n + 1
+    return (less * less + k * k) / (more * more + k * k)
+
+
 def fresnel_schlick(xp: Array, cos_theta: Array, f0: Array) -> Array:
     """F of (9) by Schlick's approximation (1994) from the reflectance at normal incidence f0."""
     m = 1 - cos_theta

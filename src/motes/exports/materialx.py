@@ -19,7 +19,7 @@ from pathlib import Path
 
 from motes.errors import MissingExtraError, MotesError
 from motes.exports import materialx_shaders as shaders
-from motes.exports.approximation import lobes, losses
+from motes.exports.approximation import losses, recorded
 from motes.exports.materialx_graph import Graph
 from motes.exports.shaders import Prepared, heading, plain, prepare
 from motes.exports.subject import Subject
@@ -179,7 +179,7 @@ def _lobes_graph(prepared: Prepared, name: str) -> ElementTree.Element:
     graph = Graph(f"NG_motes_{name}_lobes", f"ND_motes_{name}_lobes")
     slots = {slot.name: graph.interface(slot.name, _type(prepared, slot)) for slot in prepared.slots}
     normal = graph.interface("normal", "vector3")
-    graph.output(graph.total([graph.lobe(lobe, slots, normal) for lobe in lobes(prepared.model)]))
+    graph.output(graph.total([graph.lobe(lobe, slots, normal) for lobe in recorded(prepared.model)]))
     return graph.element
 
 

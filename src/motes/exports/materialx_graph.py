@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-import math
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from motes.exports.approximation import DIFFUSIVITY, Lobe
+from motes.exports.approximation import supported
+from motes.graph.symbols import Symbol
+from motes.models import Reflection, StandardLobe
+
+_ARITHMETIC = {"add": "add", "sub": "subtract", "mul": "multiply", "div": "divide"}
 
 
 @dataclass(frozen=True)
@@ -69,53 +72,48 @@ class Graph:
             return Value("value", ", ".join([value.text] * 3), "color3")
         return self.node("convert", "color3", {"in": value})
 
-    def product(self, *values: Value) -> Value:
-        result, *others = sorted(values, key=lambda value: value.type != "color3")
-        for other in others:
-            result = self.calculate("multiply", result, other)
-        return result
-
-    def square(self, value: Value) -> Value:
-        return self.calculate("multiply", value, value)
-
     # ------------------------------------------------------------ lobes
 
-    def lobe(self, lobe: Lobe, slots: Mapping[str, Value], normal: Value) -> Value:
-        """A standard lobe, with what converts the parameters."""
-        factors = [slots[lobe.color]]
-        factors += [number(lobe.scale)] if lobe.scale != 1 else []
-        width = slots[lobe.width] if lobe.width else number(0)
-        factors += [number(math.pi), self.square(width)] if lobe.area else []
-        for tau, dust in lobe.layers:
-            depth = self.calculate("multiply", slots[tau], number(-2 * DIFFUSIVITY))
-            through = self.node("exp", "float", {"in": depth}, "through")
-            factors.append(self.calculate("subtract", number(1), through) if dust else through)
-        color = self.color(self.product(*factors))
-        if not lobe.specular:
-            inputs = {"color": color, "roughness": width, "normal": normal}
+    def computed(self, symbol: Symbol, slots: Mapping[str, Value]) -> Value:
+        """Recorded arithmetic as nodes."""
+        if symbol.op == "leaf":
+            return slots[str(symbol.value)]
+        if symbol.op == "constant":
+            return number(symbol.value)
+        op, args = supported(symbol), [self.computed(a, slots) for a in symbol.args]
+        if op in _ARITHMETIC:
+            return self.calculate(_ARITHMETIC[op], *args)
+        if op == "neg":
+            return self.calculate("multiply", args[0], number(-1))
+        if op == "expm1":
+            return self.calculate("subtract", self._function("exp", args[0]), number(1))
+        return self._function(op, args[0])
+
+    def _function(self, name: str, value: Value) -> Value:
+        """``exp`` or ``sqrt``, which nodes do for numbers and vectors but not for colours."""
+        if value.type != "color3":
+            return self.node(name, value.type, {"in": value})
+        vector = self.node("convert", "vector3", {"in": value})
+        return self.node("convert", "color3", {"in": self.node(name, "vector3", {"in": vector})})
+
+    def lobe(self, lobe: StandardLobe, slots: Mapping[str, Value], normal: Value) -> Value:
+        """A recorded standard lobe, with what converts the parameters."""
+        color = self.color(self.computed(lobe.reflectance, slots))
+        if lobe.tint:
+            tint = lobe.tint * 3 if len(lobe.tint) == 1 else lobe.tint
+            color = self.calculate("multiply", color, Value("value", ", ".join(map(repr, tint)), "color3"))
+        roughness = self.computed(lobe.roughness, slots)
+        if lobe.reflection is Reflection.DIFFUSE:
+            inputs = {"color": color, "roughness": roughness, "normal": normal}
             return self.node("oren_nayar_diffuse_bsdf", "BSDF", inputs, "diffuse")
-        color0 = self.color(self.product(color, *self._fresnel(lobe, slots)))
+        share = self.computed(lobe.normal, slots)
         inputs = {
-            "color0": color0,
+            "color0": color if lobe.normal.is_constant(1) else self.calculate("multiply", color, share),
             "color90": color,
-            "roughness": self.node("combine2", "vector2", {"in1": width, "in2": width}, "alpha"),
+            "roughness": self.node("combine2", "vector2", {"in1": roughness, "in2": roughness}, "alpha"),
             "normal": normal,
         }
         return self.node("generalized_schlick_bsdf", "BSDF", inputs | {"scatter_mode": "R"}, "highlight")
-
-    def _fresnel(self, lobe: Lobe, slots: Mapping[str, Value]) -> list[Value]:
-        """The factor of the reflectance at normal incidence."""
-        kind, *own = lobe.fresnel
-        if not kind:
-            return []
-        if kind == "schlick":
-            return [slots[own[0]]]
-        n = slots[own[0]]
-        less, more = (self.square(self.calculate(op, n, number(1))) for op in ("subtract", "add"))
-        if kind == "conductor":
-            k2 = self.square(slots[own[1]])
-            less, more = self.calculate("add", less, k2), self.calculate("add", more, k2)
-        return [self.calculate("divide", less, more)]
 
     def total(self, parts: list[Value]) -> Value:
         """The sum of BSDFs."""

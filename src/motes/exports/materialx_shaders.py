@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from motes.exports.approximation import Lobe, lobes, losses, through, written
+from motes.exports.approximation import Words, losses, written
 from motes.exports.shaders import Prepared, heading
 from motes.exports.subject import Subject
+from motes.models import Reflection
 from motes.printing import glsl as glsl_language
 from motes.printing import osl as osl_language
 from motes.printing.language import comment, indented
@@ -34,9 +35,9 @@ def _arguments(prepared: Prepared, color: str) -> tuple[str, str]:
 
 def bsdf(prepared: Prepared, subject: Subject, name: str, stem: str) -> str:
     declared, passed = _arguments(prepared, "vec3")
-    found = lobes(prepared.model)
+    statements, found = written(prepared.model, prepared.split, "vec3")
     exact = f"bsdf.response = motes_{name}_at(wi, wo{passed}) * max(wi.z, 0.0) * closureData.occlusion;"
-    around = [*through(found), *(f"bsdf.response += {_environment(lobe)};" for lobe in found)]
+    around = [*statements, *(f"bsdf.response += {_environment(lobe)};" for lobe in found)]
     body = ["bsdf.response = vec3(0.0);", "bsdf.throughput = vec3(0.0);", "vec3 V = closureData.V;"]
     body += ["vec3 L = closureData.L;", "vec3 N = mx_forward_facing_normal(normal, V);", *_FRAME.split("\n")]
     body += ["if (closureData.closureType == CLOSURE_TYPE_REFLECTION) {", *indented([exact])]
@@ -58,13 +59,12 @@ def value(prepared: Prepared, subject: Subject, name: str, stem: str) -> str:
     return "\n".join([f'#include "{stem}_formula.glsl"', "", head, *indented(body), "}"]) + "\n"
 
 
-def _environment(lobe: Lobe) -> str:
+def _environment(lobe: Words) -> str:
     """A lobe's answer to the environment."""
-    color, f0 = written(lobe, "vec3", "M_PI")
-    if not lobe.specular:
-        return f"mx_environment_irradiance(N) * {color}"
-    fresnel = f"mx_init_fresnel_schlick({f0}, vec3(1.0), vec3(1.0), 5.0, 0.0, 1.5)"
-    return f"{color} * mx_environment_radiance(N, V, tangent, vec2({lobe.width}), 0, {fresnel})"
+    if lobe.reflection is Reflection.DIFFUSE:
+        return f"mx_environment_irradiance(N) * {lobe.grazing}"
+    fresnel = f"mx_init_fresnel_schlick({lobe.normal}, vec3(1.0), vec3(1.0), 5.0, 0.0, 1.5)"
+    return f"{lobe.grazing} * mx_environment_radiance(N, V, tangent, vec2({lobe.roughness}), 0, {fresnel})"
 
 
 def value_in_osl(prepared: Prepared, subject: Subject, name: str) -> str:

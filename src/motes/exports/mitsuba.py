@@ -12,12 +12,16 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from motes.errors import DataError
-from motes.exports.approximation import Lobe, lobes, reflectance
+from motes.exports.approximation import Numbers, lobes, losses
 from motes.exports.shaders import heading, plain, prepare
 from motes.exports.subject import Subject
 from motes.files import write_text
+from motes.models import Reflection, describe
+
+Floats = NDArray[np.float64]
 
 SUFFIX = ".xml"
 VERSION = "3.0.0"
@@ -32,12 +36,14 @@ def limits(subject: Subject) -> list[str]:
     if subject.brdf.channels not in (1, 3):
         return [*said, "There are no stock plugins: theirs are colours of three channels here."]
     said.append(
-        f"{name}_stock blends stock plugins: diffuse ones (sigma_d, the inter-reflection (7) and the dust's phase function are lost, dust lets "
-        "the mean exp(-3.32 tau) through) and mirrors rough as Beckmann's alpha = sigma_s (Smith's shadowing, F at normal incidence)."
+        f"{name}_stock blends stock plugins: smooth diffuse ones, and mirrors rough as Beckmann's alpha (Smith's shadowing, F at normal "
+        "incidence), in the place of rough diffuse lobes and of GGX in what follows."
     )
-    if _total(subject) > 1:
+    said += losses(subject.brdf)
+    total = _total(lobes(subject.brdf))
+    if total > 1:
         said.append(
-            f"Together they would reflect {_total(subject):.3g} of the light; stock plugins reflect 1 at most, so they are scaled to it."
+            f"Together they would reflect {total:.3g} of the light; stock plugins reflect 1 at most, so they are scaled to it."
         )
     return said
 
@@ -48,21 +54,20 @@ def stock(subject: Subject) -> dict[str, Any]:
     Mitsuba has no sum of BSDFs.  A blend ``(1 - weight) a + weight b`` is one where each part reflects the sum's brightest channel and the weights are its
     share in that.
     """
-    parts = [(lobe, np.broadcast_to(color, 3)) for lobe, color in _parts(subject)]
-    scale = 1 / max(1.0, _total(subject))
-    diffuse = sum((color for lobe, color in parts if not lobe.specular), np.zeros(3)) * scale
-    widths = {slot.name: float(np.ravel(slot.value)[0]) for slot in subject.brdf.slots()}
+    parts = lobes(subject.brdf)
+    scale = 1 / max(1.0, _total(parts))
+    diffuse = np.broadcast_to(_diffuse(parts), 3) * scale
     plugins: list[tuple[Any, dict[str, Any], str]] = []
     if diffuse.any() or not _mirrors(parts):
         plugins.append((diffuse, {"type": "diffuse"}, "reflectance"))
-    for lobe, color in _mirrors(parts):
+    for lobe in _mirrors(parts):
         mirror = {
             "type": "roughconductor",
             "material": "none",
             "distribution": "beckmann",
-            "alpha": widths[str(lobe.width)],
+            "alpha": lobe.roughness,
         }
-        plugins.append((color * scale, mirror, "specular_reflectance"))
+        plugins.append((np.broadcast_to(lobe.normal, 3) * scale, mirror, "specular_reflectance"))
     return _blended(plugins)
 
 
@@ -97,28 +102,24 @@ def write(subject: Subject, path: Path) -> list[Path]:
 
 
 def _check(subject: Subject) -> None:
-    def forms(part: Any) -> list[str]:
-        return [part.options().get("form", "brdf"), *(f for child in part.children().values() for f in forms(child))]
-
-    if set(forms(subject.brdf)) != {"brdf"}:
+    if not subject.brdf.reciprocal:
         raise DataError(
-            f"{subject.name} holds dust in the form 'brightness', which is no BRDF", "Give the dust form='brdf'"
+            f"{subject.name} is not reciprocal, so it is no BRDF: {describe(subject.brdf)}", "Give dust form='brdf'"
         )
 
 
-def _parts(subject: Subject) -> list[tuple[Lobe, Any]]:
-    return [(lobe, reflectance(subject.brdf, lobe)[0]) for lobe in lobes(subject.brdf)]
+def _mirrors(parts: list[Numbers]) -> list[Numbers]:
+    return [lobe for lobe in parts if lobe.reflection is Reflection.GLOSSY and lobe.normal.any()]
 
 
-def _mirrors(parts: list[tuple[Lobe, Any]]) -> list[tuple[Lobe, Any]]:
-    return [(lobe, color) for lobe, color in parts if lobe.specular and color.any()]
+def _diffuse(parts: list[Numbers]) -> Floats:
+    """The reflectance of all diffuse lobes together, per channel."""
+    return sum((lobe.normal for lobe in parts if lobe.reflection is Reflection.DIFFUSE), np.zeros(1))
 
 
-def _total(subject: Subject) -> float:
+def _total(parts: list[Numbers]) -> float:
     """What the lobes reflect together where each is brightest."""
-    parts = _parts(subject)
-    diffuse = sum((color for lobe, color in parts if not lobe.specular), np.zeros(1))
-    return float(np.max(diffuse)) + sum(float(np.max(color)) for _, color in _mirrors(parts))
+    return float(np.max(_diffuse(parts))) + sum(float(np.max(lobe.normal)) for lobe in _mirrors(parts))
 
 
 def _blended(plugins: list[tuple[Any, dict[str, Any], str]]) -> dict[str, Any]:

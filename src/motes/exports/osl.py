@@ -7,7 +7,7 @@ nearest (see `motes.exports.approximation`), for rendering.
 
 from __future__ import annotations
 
-from motes.exports.approximation import Lobe, lobes, losses, through, written
+from motes.exports.approximation import Words, losses, written
 from motes.exports.shaders import (
     Prepared,
     Shader,
@@ -18,7 +18,7 @@ from motes.exports.shaders import (
     prepare,
     uniforms_of,
 )
-from motes.models import BRDF
+from motes.models import BRDF, Reflection
 from motes.parameters import Slot
 from motes.printing.language import indented
 from motes.printing.osl import LANGUAGE
@@ -109,20 +109,19 @@ def _metadata(slot: Slot) -> str:
 
 def _closures(prepared: Prepared) -> list[str]:
     """Statements that add up the closures."""
-    found = lobes(prepared.model)
+    statements, found = written(prepared.model, prepared.split, "color")
     calls = [_closure(lobe) for lobe in found]
     return [
-        *through(found),
+        *statements,
         *(f"closure color lobe_{k} = {call};" for k, call in enumerate(calls, 1)),
         f"BSDF = {' + '.join(f'lobe_{k}' for k in range(1, len(calls) + 1))};",
     ]
 
 
-def _closure(lobe: Lobe) -> str:
-    reflectance, f0 = written(lobe, "color", "M_PI")
-    if not lobe.specular:
-        return f"oren_nayar_diffuse_bsdf(Normal, {reflectance}, {lobe.width or '0.0'})"
+def _closure(lobe: Words) -> str:
+    if lobe.reflection is Reflection.DIFFUSE:
+        return f"oren_nayar_diffuse_bsdf(Normal, {lobe.grazing}, {lobe.roughness})"
     return (
-        f"{reflectance} * generalized_schlick_bsdf(Normal, tangent, color(1.0), color(0.0), {lobe.width}, {lobe.width}, "
-        f'{f0}, color(1.0), 5.0, "ggx")'
+        f"{lobe.grazing} * generalized_schlick_bsdf(Normal, tangent, color(1.0), color(0.0), {lobe.roughness}, {lobe.roughness}, "
+        f'{lobe.normal}, color(1.0), 5.0, "ggx")'
     )

@@ -25,7 +25,8 @@ from motes.fitting.solver import Solution
 from motes.fitting.uncertainty import judged
 from motes.material import Material
 from motes.measurements import Measurement
-from motes.models import BRDF, DustLayer, describe
+from motes.models import BRDF, Lambert, describe, layer_of
+from motes.parameters import Role
 from motes.trends import KINDS, Trend
 
 Progress = Callable[[int, int, str], None]
@@ -467,16 +468,20 @@ def _findings(
 
     hours = np.asarray(data.times, float)
     brdf, told = material.brdf, set()
-    if isinstance(brdf, DustLayer) and _share_below(material, data) < HIDDEN:
-        told = {s.name for s in brdf.slots() if s.path[0] in ("base", "tau") and s.name in results}
+    layer = layer_of(brdf)
+    if layer is not None and _share_below(material, data) < HIDDEN:
+        told = {s.name for s in (*layer.below, layer.depth) if s.name in results}
         mark(sorted(told))
         found.append(
             f"The dust hides the surface at all times, or the surface is black: it adds less than {100 * HIDDEN:g} % of the light, and the data do not "
             f"determine {', '.join(n for n in results if n in told)}."
         )
-    for name in [n for n in results if n.startswith("K_s") and n not in told]:
+    for strength in brdf.slots(Role.HIGHLIGHT_STRENGTH):
+        name, own = strength.name, brdf.beside(strength, Role.HIGHLIGHT_WIDTH)
+        if name not in results or name in told or own is None:
+            continue
         value, error = results[name].band(hours)
-        width = name.replace("K_s", "sigma_s", 1)
+        width = own.name
         if (value <= 3 * error).all() or results[name].verdict == Verdict.AT_LOWER:
             told.add(width)
             if width in results:
@@ -494,13 +499,13 @@ def _share_below(material: Material, data: Measurement) -> float:
     """The largest share, over the scans, of the light that comes from below the dust (root mean squares over the directions)."""
     up = (data.wi[:, 2] > 0) & (data.wo[:, 2] > 0)
     wi, wo = data.wi[up], data.wo[up]
-    path = 1 / wi[:, 2:3] + 1 / wo[:, 2:3]
     largest = 0.0
     for hour in data.times:
-        layer = material.at(float(hour))
-        assert isinstance(layer, DustLayer)
-        below = layer.base.eval(wi, wo) * np.exp(-np.asarray(layer.tau) * path)
-        largest = max(largest, _rms(below) / max(_rms(layer.eval(wi, wo)), 1e-300))
+        layer = layer_of(material.at(float(hour)))
+        assert layer is not None
+        whole = layer.whole.eval(wi, wo)
+        below = whole - layer.over(Lambert(K_d=0.0)).eval(wi, wo)  # over black nothing but the layer itself is seen
+        largest = max(largest, _rms(below) / max(_rms(whole), 1e-300))
     return largest
 
 

@@ -15,6 +15,7 @@ import numpy as np
 from motes.fitting.losses import Floats
 from motes.fitting.problem import Problem, Quantity
 from motes.fitting.solver import minimize
+from motes.parameters import Role
 
 SEARCH_SAMPLES = 600
 SEARCH_LANES = 24
@@ -76,7 +77,9 @@ def _bright_start(grey: Problem, q: Quantity) -> float:
     """A first value for a parameter that enters almost linearly: about the brightness of the data."""
     mean = float(np.average(grey.values, weights=grey.weights))
     low, high = q.parameter.fit_bounds
-    return float(np.clip(np.pi * mean if q.name.startswith("K_d") else q.parameter.default, low, min(high, 1e6)))
+    return float(
+        np.clip(np.pi * mean if q.parameter.role is Role.DIFFUSE_COLOUR else q.parameter.default, low, min(high, 1e6))
+    )
 
 
 def _grey(problem: Problem) -> tuple[Problem, Floats]:

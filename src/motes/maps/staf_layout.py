@@ -10,19 +10,16 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from motes import equations
-from motes.arrays import NUMPY
 from motes.errors import MissingExtraError, MotesError
 from motes.files import replacing
 from motes.maps.fitted import FittedMap
-from motes.models import BRDF, Lambert, OrenNayar, TorranceSparrow
-from motes.models.dust import DustLayer
-from motes.models.sums import Sum
+from motes.models import BRDF
+from motes.parameters import Role, Slot
 
 Floats = NDArray[np.float64]
 
@@ -65,7 +62,8 @@ def export_exr(
         import OpenEXR  # noqa: F401
     except ImportError:
         raise MissingExtraError("OpenEXR", "exr", "The export as pictures") from None
-    diffuse, gloss, others = _layout(fitted)
+    layout = _layout(fitted)
+    gloss, diffuse = layout.gloss, layout.diffuse
     degree = min(MOST_DEGREE, len(fitted.hours) - 1)
     held = fitted.brdf.parameters
 
@@ -80,21 +78,23 @@ def export_exr(
     def specular(where: tuple[slice, slice]) -> Floats:
         if gloss is None:
             return np.zeros((*(s.stop - s.start for s in where), len(fitted.hours)))
-        K_s, sigma_s = value("K_s", where), value("sigma_s", where)
-        weight = staf_area(sigma_s)
-        if gloss.normalization == "facets":
-            weight = weight / equations.facet_area(NUMPY, sigma_s)
-        return K_s * (weight[..., None] if K_s.ndim == 4 else weight)
+        strength, width = value(gloss.strength.name, where), value(gloss.width.name, where)
+        many = strength.ndim == 4
+        printed = gloss.model.printed_highlight(strength, width[..., None] if many else width)
+        assert printed is not None
+        K_s, sigma_s = printed
+        specular: Floats = K_s * staf_area(sigma_s)
+        return specular
 
     def zeros(where: tuple[slice, slice]) -> Floats:
         return np.zeros((*(s.stop - s.start for s in where), len(fitted.hours)))
 
     maps: dict[str, Callable[[tuple[slice, slice]], Floats]] = {
-        "Diffuse": (lambda w: value("K_d", w)) if diffuse else zeros,
+        "Diffuse": (lambda w: value(diffuse.name, w)) if diffuse else zeros,
         "Specular": specular,
-        "Roughness": (lambda w: value("sigma_s", w)) if gloss else zeros,
+        "Roughness": (lambda w: value(gloss.width.name, w)) if gloss else zeros,
     }
-    for name in others:
+    for name in layout.others:
         maps[name] = lambda w, name=name: value(name, w)  # type: ignore[misc]
     target = Path(folder)
     written = []
@@ -137,27 +137,50 @@ def polynomials(values: Floats, hours: Floats, degree: int) -> Floats:
     return np.moveaxis(result.reshape(*rows.shape[:-1], degree + 1), -1, 0)
 
 
-def _layout(fitted: FittedMap) -> tuple[bool, TorranceSparrow | None, list[str]]:
-    """Whether there is a diffuse part, the gloss, and the parameters that the layout does not know."""
-    parts = list(_parts(fitted.brdf))
-    diffuse = [p for p in parts if isinstance(p, (Lambert, OrenNayar))]
-    gloss = [p for p in parts if isinstance(p, TorranceSparrow)]
+class _Gloss(NamedTuple):
+    """The highlight of a map: the term that it is, and the parameters of its strength and width in the whole model."""
+
+    model: BRDF
+    strength: Slot
+    width: Slot
+
+
+class _Layout(NamedTuple):
+    """What the layout knows, the diffuse colour and the highlight, and the names of the parameters that it does not know."""
+
+    diffuse: Slot | None
+    gloss: _Gloss | None
+    others: list[str]
+
+
+def _layout(fitted: FittedMap) -> _Layout:
+    """What of the model goes where."""
+    brdf = fitted.brdf
     hint = "Export lambert or oren_nayar, torrance_sparrow, or a sum of the two; the Zarr store holds every model"
-    if any(isinstance(p, DustLayer) for p in parts) or len(diffuse) + len(gloss) < len(parts):
-        raise MotesError(f"the STAF layout has no place for dust, and the model is {fitted.model}", hint)
-    if len(diffuse) > 1 or len(gloss) > 1:
+    for term in brdf.terms():
+        own = {p.role for p in term.declared()} & {Role.DIFFUSE_COLOUR, Role.HIGHLIGHT_STRENGTH}
+        if len(own) != 1:
+            raise MotesError(
+                f"the STAF layout has no place for {term.in_words()}, and the model is {fitted.model}",
+                hint,
+            )
+    colours, strengths = brdf.slots(Role.DIFFUSE_COLOUR), brdf.slots(Role.HIGHLIGHT_STRENGTH)
+    if len(colours) > 1 or len(strengths) > 1:
         raise MotesError(f"the STAF layout holds one lobe of a kind, and the model is {fitted.model}", hint)
-    if gloss and gloss[0].fresnel is not None:
-        raise MotesError(f"the STAF layout has no Fresnel term, and the model is {fitted.model}", hint)
+    gloss = None
+    if strengths:
+        term = next(term for term in brdf.terms() if term.slots(Role.HIGHLIGHT_STRENGTH))
+        width = brdf.beside(strengths[0], Role.HIGHLIGHT_WIDTH)
+        if width is None or term.printed_highlight(1.0, 0.1) is None:
+            raise MotesError(
+                f"the STAF layout holds the highlight of equations (9)-(11) with F = 1, and the model is {fitted.model}",
+                hint,
+            )
+        gloss = _Gloss(term, strengths[0], width)
     if len(fitted.channels) not in (1, 3):
         raise MotesError(f"the STAF layout holds 1 or 3 channels, and the map has {len(fitted.channels)}", hint)
-    known = {"K_d", "K_s", "sigma_s"}
-    others = [q for q in fitted.brdf.parameters if q not in known]
-    return bool(diffuse), gloss[0] if gloss else None, others
-
-
-def _parts(brdf: BRDF) -> list[BRDF]:
-    return [*_parts(brdf.a), *_parts(brdf.b)] if isinstance(brdf, Sum) else [brdf]
+    known = {slot.name for slot in (*colours, *gloss[1:])} if gloss else {slot.name for slot in colours}
+    return _Layout(colours[0] if colours else None, gloss, [q for q in brdf.parameters if q not in known])
 
 
 def _write(path: Path, picture: NDArray[np.float32]) -> Path:

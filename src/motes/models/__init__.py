@@ -1,27 +1,48 @@
-"""The reflectance models, one a file, and what combines them."""
+"""The reflectance models, one a file, and what combines them.
 
-from motes.models.base import BRDF, Sampled
-from motes.models.dust import Dust, DustLayer
-from motes.models.expressions import describe, parse
-from motes.models.fresnel import Conductor, Dielectric, Fresnel, Schlick
+To add one, write its file and import it here: what it declares is all that anybody asks for.
+"""
+
+# Models in the order in which texts list them.
+# isort: off
+from motes.models.base import BRDF, Sampled, Sum
+from motes.models.components import Component
+from motes.models.lobes import CosineLobe, Lobe, Reflection
+from motes.models.naming import register, registered, unregister
+from motes.models.standard import StandardLobe
 from motes.models.lambert import Lambert
 from motes.models.oren_nayar import OrenNayar
-from motes.models.sums import Sum
 from motes.models.torrance_sparrow import TorranceSparrow
+from motes.models.dust import Dust, DustLayer
+from motes.models.fresnel import Conductor, Dielectric, Fresnel, Schlick
+from motes.models.composition import Layer, layer_of, on_base
+from motes.models.expressions import describe, parse
+# isort: on
 
 __all__ = [
     "BRDF",
+    "Component",
     "Conductor",
+    "CosineLobe",
     "Dielectric",
     "Dust",
     "DustLayer",
     "Fresnel",
     "Lambert",
+    "Layer",
+    "Lobe",
     "OrenNayar",
+    "Reflection",
     "Sampled",
     "Schlick",
+    "StandardLobe",
     "Sum",
     "TorranceSparrow",
     "describe",
+    "layer_of",
+    "on_base",
     "parse",
+    "register",
+    "registered",
+    "unregister",
 ]

@@ -1,12 +1,15 @@
-"""`BRDF`: what every model offers: `eval`, `sample`, `pdf`, `directional_albedo`, `spherical_albedo`, and ``+``."""
+"""`BRDF`: what every model offers: `eval`, `sample`, `pdf`, `directional_albedo`, `spherical_albedo`, and ``+``; and `Sum`.
+
+A model declares its facts in its own file, and nobody asks for its name or its type: parameters and parts with their roles and
+places (`motes.parameters`), what kind of reflection each `Component` is, its words, and the lobes that other programs know.
+"""
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
-from collections.abc import Callable
-from copy import copy
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar, NamedTuple, Self, TypeVar
+from typing import ClassVar, NamedTuple, Self, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,13 +17,12 @@ from numpy.typing import NDArray
 from motes.arrays import NUMPY, Array, is_foreign, namespace
 from motes.directions import Geometry, Vector
 from motes.errors import DataError, ParameterError
-from motes.models.lobes import Lobe
-from motes.parameters import Parametrised
-
-if TYPE_CHECKING:
-    from motes.models.sums import Sum
-
-P = TypeVar("P", bound=Parametrised)
+from motes.models.albedo import directional_albedo
+from motes.models.components import Component, Reflecting
+from motes.models.lifting import averaged, broadcast, leading, lifted, matching
+from motes.models.lobes import Reflection
+from motes.models.standard import StandardLobe
+from motes.parameters import Place, part
 
 
 class Sampled(NamedTuple):
@@ -31,20 +33,8 @@ class Sampled(NamedTuple):
     weight: Array
 
 
-@dataclass(frozen=True)
-class Component:
-    """A part of a BRDF with the lobe that samples it.
-
-    ``formula(xp, geometry)`` is the part's value [1/sr]; ``importance`` is about the share of light it reflects, a
-    number or an array that broadcasts against directions."""
-
-    formula: Callable[[Array, Geometry], Array]
-    lobe: Lobe
-    importance: Array
-
-
 @dataclass(frozen=True, eq=False)
-class BRDF(Parametrised, ABC):
+class BRDF(Reflecting, ABC):
     """A reflectance model with its parameters: an immutable value.
 
     Parameters may be numbers, NumPy arrays, or tensors of PyTorch or JAX.  The last axis of a per-channel parameter
@@ -52,6 +42,11 @@ class BRDF(Parametrised, ABC):
 
     #: False when eval(wi, wo) differs from eval(wo, wi).
     reciprocal: ClassVar[bool] = True
+    #: What people call it, in a report: "Oren-Nayar".  The name of the class where it is empty.
+    words: ClassVar[str] = ""
+    #: What becomes of it in programs that take lobes and not formulas: the conversion of `standard_lobes` and what it loses, in a
+    #: sentence that those files say.  Empty where nothing is lost.
+    approximation: ClassVar[str] = "A model without standard lobes of its own: a diffuse lobe of its spherical albedo."
 
     # ------------------------------------------------------------ what a model defines
 
@@ -59,9 +54,44 @@ class BRDF(Parametrised, ABC):
     def formula(self, xp: Array, geometry: Geometry) -> Array:
         """The BRDF [1/sr], elementwise, where both directions are above the horizon."""
 
-    @abstractmethod
-    def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
-        """The parts that are sampled and integrated each in its own way; their formulas add up to `formula`."""
+    # ------------------------------------------------------------ what a model may say besides
+
+    def standard_lobes(self, xp: Array, values: Self, cos_view: Array) -> list[StandardLobe]:
+        """The lobes that other programs know whose sum comes nearest: for closures, node graphs and stock plugins.
+
+        Parameters
+        ----------
+        xp
+            Namespace for what arithmetic alone does not say, such as ``xp.exp``.
+        values
+            This model once more, with what stands for its parameters: numbers, or symbols that are printed in another language.
+            A fact that is a number in any case, such as an option, is read from `self`.
+        cos_view
+            The cosine towards the viewer where the program knows it, else a mean (`motes.models.standard.MEAN_COSINE`).
+
+        Returns
+        -------
+        list of StandardLobe
+            Without an own declaration one diffuse lobe of the spherical albedo.
+        """
+        return [StandardLobe(Reflection.DIFFUSE, 1.0, tint=tuple(float(a) for a in self.spherical_albedo()))]
+
+    def printed_highlight(self, strength: Array, width: Array) -> tuple[Array, Array] | None:
+        """K_s and sigma_s of equations (9)-(11) for values of the strength and the width of this model's own highlight.
+
+        None unless its highlight is that one, with F = 1: for layouts that hold no other.
+        """
+        return None
+
+    def in_words(self) -> str:
+        """The model as reports name it: ``(Oren-Nayar + Torrance-Sparrow) under dust``."""
+        own = self.words or type(self).__name__
+        terms = [f"with {type(term).__name__} Fresnel" for term in self.at_place(Place.FRESNEL)]
+        return " ".join([own, *terms])
+
+    def terms(self) -> tuple[BRDF, ...]:
+        """The BRDFs whose sum this is: itself alone, unless it is a sum."""
+        return (self,)
 
     # ------------------------------------------------------------ what users call
 
@@ -89,9 +119,11 @@ class BRDF(Parametrised, ABC):
         if xp is NUMPY:
             from motes.kernels import engine
 
-            if max(wi.size, wo.size) >= 3 * engine.THRESHOLD and engine.available():
+            # What counts is how many pairs there are once all shapes are broadcast: an outer product is small in each factor.
+            pairs = math.prod(np.broadcast_shapes(wi.shape[:-1], wo.shape[:-1], *leading(self)))
+            if pairs >= engine.THRESHOLD and engine.available():
                 return engine.evaluate(self, wi, wo)
-        model = self._lifted(xp, wi)
+        model = lifted(self, xp, wi)
         geometry = Geometry(xp, Vector.of(wi), Vector.of(wo))
         with np.errstate(all="ignore"):  # directions below the horizon are computed, then masked
             return model.value(xp, geometry)
@@ -113,7 +145,7 @@ class BRDF(Parametrised, ABC):
         """
         wi, u, xp = self._prepared(wi, u, last=(3, 2))
         shape = np.broadcast_shapes(tuple(wi.shape[:-1]), tuple(u.shape[:-1]))
-        wi = _broadcast(wi, (*shape, 3))
+        wi = broadcast(wi, (*shape, 3))
         with np.errstate(all="ignore"):
             components, chances = self._chances(xp, wi)
             u0, u1 = u[..., 0], u[..., 1]
@@ -162,35 +194,7 @@ class BRDF(Parametrised, ABC):
         array (..., C)
         """
         wi, _, xp = self._prepared(wi, wi)
-        shape = np.broadcast_shapes(tuple(wi.shape[:-1]), *self._leading())
-        if xp is NUMPY and np.prod(shape) > 256:  # a bounded number of pairs at a time
-            flat = np.broadcast_to(wi, (*shape, 3)).reshape(-1, 3)
-            parts = [
-                self._at(shape, k, k + 256).directional_albedo(flat[k : k + 256], nodes=nodes)
-                for k in range(0, len(flat), 256)
-            ]
-            return np.concatenate(parts).reshape(*shape, -1)
-        polar, weights = np.polynomial.legendre.leggauss(nodes[0])
-        grid = np.stack(
-            np.meshgrid(0.5 * (polar + 1), (np.arange(nodes[1]) + 0.5) / nodes[1], indexing="ij"), -1
-        ).reshape(-1, 2)
-        grid_weights = np.repeat(0.5 * weights / nodes[1], nodes[1])
-        u, grid_weights = _like(grid, wi), _like(grid_weights, wi)
-        wi = _broadcast(wi[..., None, :], (*wi.shape[:-1], len(grid), 3))
-        with np.errstate(all="ignore"):
-            # The same parts twice: with channels for their formulas, without for their lobes.
-            formulas = [part.formula for part in self._lifted(xp, wi, extra_axes=1).components(xp, 1.0)]
-            lobes = [part.lobe for part in self._averaged(wi, extra_axes=1).components(xp, 1.0)]
-            total: Array = 0.0
-            for formula, lobe in zip(formulas, lobes, strict=True):
-                wo = lobe.sample(xp, wi, _broadcast(u, (*wi.shape[:-1], 2)))
-                geometry = Geometry(xp, Vector.of(wi), Vector.of(wo))
-                value = geometry.above_horizon(formula(xp, geometry))
-                pdf = lobe.pdf(xp, wi, wo)[..., None]
-                cosine = xp.maximum(wo[..., 2:3], 0.0)
-                ratio = xp.where(pdf > 0, value * cosine / xp.maximum(pdf, 1e-30), 0.0)
-                total = total + (ratio * grid_weights[:, None]).sum(-2)
-        return total
+        return directional_albedo(self, xp, wi, nodes)
 
     def spherical_albedo(self, *, nodes: int = 32) -> NDArray[np.float64]:
         """The share of uniform light from the hemisphere that is reflected; shape (C,).  NumPy parameters only."""
@@ -202,8 +206,6 @@ class BRDF(Parametrised, ABC):
 
     def __add__(self, other: BRDF) -> Sum:
         """Light reflected by either: the sum of the two BRDFs."""
-        from motes.models.sums import Sum
-
         return Sum(self, other) if isinstance(other, BRDF) else NotImplemented
 
     # ------------------------------------------------------------ shared by the models
@@ -255,13 +257,13 @@ class BRDF(Parametrised, ABC):
                 except (TypeError, ValueError):
                     raise DataError(f"{what} are not numbers: {str(x)[:80]}", f"Pass arrays (..., {n})") from None
                 if foreign is not None:
-                    x = _like(x, foreign)
+                    x = matching(x, foreign)
             if len(x.shape) == 0 or x.shape[-1] != n:
                 raise DataError(
                     f"{what} of shape {tuple(x.shape)}: the last axis must have length {n}", f"Pass arrays (..., {n})"
                 )
             prepared.append(x)
-        shapes = [tuple(x.shape[:-1]) for x in prepared] + self._leading()
+        shapes = [tuple(x.shape[:-1]) for x in prepared] + leading(self)
         try:
             np.broadcast_shapes(*shapes)
         except ValueError:
@@ -272,62 +274,9 @@ class BRDF(Parametrised, ABC):
             ) from None
         return prepared[0], prepared[1], xp
 
-    def _leading(self) -> list[tuple[int, ...]]:
-        """The shapes of the parameters without their channels: what must broadcast against the directions."""
-        shapes = [(tuple(getattr(s.value, "shape", ())), s.parameter.per_channel) for s in self.slots()]
-        return [shape[:-1] if per_channel else shape for shape, per_channel in shapes]
-
-    def _at(self, shape: tuple[int, ...], start: int, stop: int) -> Self:
-        """A copy with the parameters of the directions `start` to `stop` in the flattened `shape`."""
-        changes = {}
-        for slot, leading in zip(self.slots(), self._leading(), strict=True):
-            if leading:
-                last = slot.value.shape[len(leading) :]
-                changes[slot.path] = np.broadcast_to(slot.value, (*shape, *last)).reshape(-1, *last)[start:stop]
-        return _unchecked(self, changes)
-
-    def _lifted(self, xp: Array, like: Array, extra_axes: int = 0) -> Self:
-        """A copy whose values broadcast against geometry of shape (..., 1): shared values get the channel axis, all the
-        library and type.
-
-        `extra_axes` are inserted between the axes of the directions and the channels.
-        """
-        changes = {}
-        for slot in self.slots():
-            value = slot.value
-            if isinstance(value, float):
-                continue
-            if not is_foreign(value) or xp is not NUMPY:
-                value = _like(value, like)
-            shape = tuple(value.shape)
-            if not shape:
-                changes[slot.path] = value
-                continue
-            if not slot.parameter.per_channel:
-                value = value[..., None]
-            for _ in range(extra_axes if len(value.shape) > 1 else 0):
-                value = value[..., None, :]
-            changes[slot.path] = value
-        return _unchecked(self, changes)
-
-    def _averaged(self, like: Array, extra_axes: int = 0) -> Self:
-        """A copy whose values broadcast against (...): means over the channels; `extra_axes` follow the directions."""
-        changes = {}
-        for slot in self.slots():
-            value = slot.value
-            if isinstance(value, float):
-                continue
-            value = _like(value, like)
-            if slot.parameter.per_channel and len(value.shape):
-                value = value.mean(-1)
-            for _ in range(extra_axes if len(value.shape) else 0):
-                value = value[..., None]
-            changes[slot.path] = value
-        return _unchecked(self, changes)
-
     def _chances(self, xp: Array, wi: Array) -> tuple[list[Component], list[Array]]:
         """The components with parameters that broadcast against (...), and the chance that `sample` takes each."""
-        components = self._averaged(wi).components(xp, xp.maximum(wi[..., 2], 1e-4))
+        components = averaged(self, wi).components(xp, xp.maximum(wi[..., 2], 1e-4))
         total: Array = 1e-30
         for component in components:
             total = total + component.importance
@@ -335,41 +284,32 @@ class BRDF(Parametrised, ABC):
         return components, chances
 
 
-def _unchecked(model: P, by_path: dict[tuple[str, ...], Array]) -> P:
-    """A copy with values put in as they are: for values that were checked in another shape."""
-    clone = copy(model)
-    for path, value in by_path.items():
-        if len(path) == 1:
-            object.__setattr__(clone, path[0], value)
-    for name, child in model.children().items():
-        inner = {path[1:]: value for path, value in by_path.items() if len(path) > 1 and path[0] == name}
-        if inner:
-            object.__setattr__(clone, name, _unchecked(child, inner))
-    return clone
+@final
+@dataclass(frozen=True, eq=False)
+class Sum(BRDF):
+    """Light reflected by ``a``, and by ``b`` besides: what ``a + b`` makes."""
 
+    approximation: ClassVar[str] = ""
 
-def _like(x: Array, like: Array) -> Array:
-    """`x` in the library, type and device of `like`; tensors keep their gradients."""
-    xp = namespace(like)
-    if xp.name == "torch":
-        import torch
+    a: BRDF = part(BRDF, place=Place.TERM, advice="A Fresnel term goes inside: TorranceSparrow(fresnel=...)")
+    b: BRDF = part(BRDF, place=Place.TERM, advice="A Fresnel term goes inside: TorranceSparrow(fresnel=...)")
 
-        if isinstance(x, torch.Tensor):
-            return x.to(dtype=like.dtype, device=like.device)
-        return torch.as_tensor(np.array(x), dtype=like.dtype, device=like.device)
-    if xp.name == "jax":
-        import jax.numpy as jnp
+    @property
+    def reciprocal(self) -> bool:  # type: ignore[override]
+        return self.a.reciprocal and self.b.reciprocal
 
-        return jnp.asarray(x, dtype=like.dtype)
-    return np.asarray(x, dtype=like.dtype)
+    def formula(self, xp: Array, geometry: Geometry) -> Array:
+        return self.a.formula(xp, geometry) + self.b.formula(xp, geometry)
 
+    def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
+        return self.a.components(xp, cos_theta_i) + self.b.components(xp, cos_theta_i)
 
-def _broadcast(x: Array, shape: tuple[int, ...]) -> Array:
-    xp = namespace(x)
-    if xp.name == "torch":
-        return x.expand(shape)
-    if xp.name == "jax":
-        import jax.numpy as jnp
+    def standard_lobes(self, xp: Array, values: Self, cos_view: Array) -> list[StandardLobe]:
+        a, b = self.a.standard_lobes(xp, values.a, cos_view), self.b.standard_lobes(xp, values.b, cos_view)
+        return a + b
 
-        return jnp.broadcast_to(x, shape)
-    return np.broadcast_to(x, shape)
+    def terms(self) -> tuple[BRDF, ...]:
+        return (*self.a.terms(), *self.b.terms())
+
+    def in_words(self) -> str:
+        return f"{self.a.in_words()} + {self.b.in_words()}"

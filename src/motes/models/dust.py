@@ -9,19 +9,23 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import final
+from typing import ClassVar, Self, final
+
+import numpy as np
 
 from motes import equations
 from motes.arrays import Array
 from motes.directions import Geometry
 from motes.errors import ParameterError
-from motes.models.base import BRDF, Component
-from motes.models.lobes import PhaseLobe
-from motes.parameters import parameter
+from motes.models.base import BRDF
+from motes.models.components import Component
+from motes.models.lobes import PhaseLobe, Reflection
+from motes.models.naming import register
+from motes.models.standard import DIFFUSIVITY, StandardLobe
+from motes.parameters import Place, Role, option, parameter, part
 
-FORMS = ("brdf", "brightness")
 
-
+@register("dust")
 @final
 @dataclass(frozen=True, eq=False)
 class Dust(BRDF):
@@ -41,6 +45,11 @@ class Dust(BRDF):
     scattering.  Single scattering loses energy: white isotropic dust (w = 1, g = 0) returns (1 - ln 2)/2 = 15 % of
     light at normal incidence and 2 (1 - ln 2)/3 = 20 % of uniform light."""
 
+    words: ClassVar[str] = "dust"
+    approximation: ClassVar[str] = (
+        "Dust: a diffuse lobe with the dust's spherical albedo for the g of this file; its phase function is left out."
+    )
+
     w: Array = parameter(
         0.6,
         bounds=(0, float("inf")),
@@ -50,6 +59,7 @@ class Dust(BRDF):
         symbol="w",
         doc="single-scattering albedo of the dust",
         per_channel=True,
+        role=Role.SINGLE_SCATTERING_ALBEDO,
     )
     g: Array = parameter(
         0.0,
@@ -61,13 +71,9 @@ class Dust(BRDF):
         symbol="g",
         doc="mean cosine of the deviation angle",
         advice="g > 0 scatters forward, g < 0 backward, 0 evenly",
+        role=Role.ASYMMETRY,
     )
-    form: str = "brdf"
-
-    def __post_init__(self) -> None:
-        if self.form not in FORMS:
-            raise ParameterError(f"Dust: form = {self.form!r} is not one of {', '.join(FORMS)}")
-        super().__post_init__()
+    form: str = option("brdf", words=("brdf", "brightness"), doc="what equation (12) is turned into")
 
     @property
     def reciprocal(self) -> bool:  # type: ignore[override]
@@ -82,7 +88,13 @@ class Dust(BRDF):
         scale = 0.15 if self.form == "brdf" else 1.9 * cos_theta_i
         return [Component(self.formula, PhaseLobe(self.g), self.w * scale)]
 
+    def standard_lobes(self, xp: Array, values: Self, cos_view: Array) -> list[StandardLobe]:
+        # The albedo goes with w: 2 (1 - ln 2)/3 of it where g = 0.
+        unit = Dust(w=1.0, g=float(np.ravel(self.g)[0]), form=self.form)
+        return [StandardLobe(Reflection.DIFFUSE, values.w * float(unit.spherical_albedo()[0]))]
 
+
+@register("dust_layer")
 @final
 @dataclass(frozen=True, eq=False)
 class DustLayer(BRDF):
@@ -91,8 +103,13 @@ class DustLayer(BRDF):
     f = T f_base + (1 - T) f_dust with T = exp(-tau (1/cos(theta_i) + 1/cos(theta_r))): at tau = 0 the base, as tau
     grows the dust."""
 
-    base: BRDF
-    dust: Dust = Dust()
+    words: ClassVar[str] = "a layer of dust"
+    approximation: ClassVar[str] = (
+        "Dust layer: a mean transmittance exp(-3.32 tau) instead of exp(-tau (1/cos_i + 1/cos_r))."
+    )
+
+    base: BRDF = part(BRDF, place=Place.BASE)
+    dust: Dust = part(Dust, place=Place.COVER, default=Dust())
     tau: Array = parameter(
         0.2,
         bounds=(0, float("inf")),
@@ -101,14 +118,13 @@ class DustLayer(BRDF):
         starts=(0.05, 0.3, 1.0),
         symbol="\\tau",
         doc="optical thickness of the layer",
+        role=Role.DEPTH,
     )
 
     def __post_init__(self) -> None:
-        if not isinstance(self.base, BRDF) or not isinstance(self.dust, Dust):
-            raise ParameterError(f"DustLayer: base = {self.base!r} and dust = {self.dust!r} must be a BRDF and a Dust")
+        super().__post_init__()
         if self.dust.form != "brdf":
             raise ParameterError(f"DustLayer: dust.form = {self.dust.form!r} is not a BRDF", "Use Dust(form='brdf')")
-        super().__post_init__()
 
     @property
     def reciprocal(self) -> bool:  # type: ignore[override]
@@ -124,6 +140,17 @@ class DustLayer(BRDF):
         parts = [(part, 0.0, through) for part in self.base.components(xp, cos_theta_i)]
         parts += [(part, 1.0, 1 - through) for part in self.dust.components(xp, cos_theta_i)]
         return [Component(self._seen(part, own), part.lobe, part.importance * share) for part, own, share in parts]
+
+    def standard_lobes(self, xp: Array, values: Self, cos_view: Array) -> list[StandardLobe]:
+        # Along the light, whose direction nobody tells, the mean of 1/cos; the darkening towards grazing holds for the viewer at most.
+        through = xp.exp(-values.tau * (1 / cos_view + DIFFUSIVITY))
+        base = self.base.standard_lobes(xp, values.base, cos_view)
+        dust = self.dust.standard_lobes(xp, values.dust, cos_view)
+        return [lobe.scaled(through) for lobe in base] + [lobe.scaled(1 - through) for lobe in dust]
+
+    def in_words(self) -> str:
+        base = self.base.in_words()
+        return f"({base}) under {self.dust.in_words()}" if " + " in base else f"{base} under {self.dust.in_words()}"
 
     def _seen(self, part: Component, own: float) -> Callable[[Array, Geometry], Array]:
         """The formula of a part of the base seen through the layer (own = 0), or of the dust in the layer (own = 1)."""

@@ -7,33 +7,23 @@ from __future__ import annotations
 
 import ast
 import warnings
-from dataclasses import fields
+from dataclasses import Field, fields
 from typing import Any, NamedTuple
 
 from motes.errors import ParameterError
-from motes.models.base import BRDF
-from motes.models.dust import Dust, DustLayer
-from motes.models.fresnel import Conductor, Dielectric, Schlick
-from motes.models.lambert import Lambert
-from motes.models.oren_nayar import OrenNayar
-from motes.models.sums import Sum
-from motes.models.torrance_sparrow import TorranceSparrow
-from motes.parameters import Parametrised
+from motes.models.base import BRDF, Sum
+from motes.models.naming import name_of, registered
+from motes.parameters import Parametrised, PartField
 
-MODELS: dict[str, type[Parametrised]] = {
-    "lambert": Lambert,
-    "oren_nayar": OrenNayar,
-    "torrance_sparrow": TorranceSparrow,
-    "dust": Dust,
-    "dust_layer": DustLayer,
-}
-FRESNEL: dict[str, type[Parametrised]] = {"dielectric": Dielectric, "conductor": Conductor, "schlick": Schlick}
-_NAMES = {cls: name for name, cls in (MODELS | FRESNEL).items()}
-_EXAMPLE = (
-    "Write for example 'oren_nayar + torrance_sparrow', or 'dust_layer(oren_nayar)'; the models are "
-    + ", ".join(MODELS)
-)
 _MOST_PARTS = 64
+
+
+def _example() -> str:
+    """What to write, with the models there are."""
+    return (
+        "Write for example 'oren_nayar + torrance_sparrow', or 'dust_layer(oren_nayar)'; the models are "
+        + ", ".join(registered(BRDF))
+    )
 
 
 class Parsed(NamedTuple):
@@ -63,7 +53,7 @@ def parse(text: str) -> Parsed:
             warnings.simplefilter("ignore")
             tree = ast.parse(text.strip(), mode="eval").body
         if sum(isinstance(node, ast.Name) for node in ast.walk(tree)) > _MOST_PARTS:
-            raise ParameterError(f"model {shown} has more than {_MOST_PARTS} parts", _EXAMPLE)
+            raise ParameterError(f"model {shown} has more than {_MOST_PARTS} parts", _example())
         model = _build(tree, (), fixed)
     except ParameterError:
         raise
@@ -73,10 +63,24 @@ def parse(text: str) -> Parsed:
         MemoryError,
         RecursionError,
     ):  # ValueError: a NUL, or a number of thousands of digits
-        raise ParameterError(f"model {shown} is not a sum of models", _EXAMPLE) from None
+        raise ParameterError(f"model {shown} is not a sum of models", _example()) from None
     if not isinstance(model, BRDF):
-        raise ParameterError(f"model {shown} is a Fresnel term, not a BRDF", "Use it as torrance_sparrow(fresnel=...)")
+        raise ParameterError(f"model {shown} is a Fresnel term, not a BRDF", _as_part_of(type(model)))
     return Parsed(model, frozenset(slot.name for slot in model.slots() if slot.path in fixed))
+
+
+def _as_part_of(cls: type[Parametrised]) -> str:
+    """A model that takes such a part, in a sentence."""
+    for name, model in registered(BRDF).items():
+        for place in model.declared_parts():
+            if issubclass(cls, place.accepts):
+                return f"Use it as {name}({place.name}=...)"
+    return _example()
+
+
+def _positional(cls: type[Parametrised]) -> list[PartField]:
+    """The parts that need no name in a text: the BRDFs that a model is made of."""
+    return [p for p in cls.declared_parts() if issubclass(p.accepts, BRDF)]
 
 
 def _quoted(node: ast.AST) -> str:
@@ -89,11 +93,12 @@ def _build(node: ast.AST, path: tuple[str, ...], fixed: set[tuple[str, ...]]) ->
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
         return Sum(_build(node.left, (*path, "a"), fixed), _build(node.right, (*path, "b"), fixed))
     call = node.func if isinstance(node, ast.Call) else node
-    if not isinstance(call, ast.Name) or call.id not in MODELS | FRESNEL:
-        raise ParameterError(f"{_quoted(node)} is not a model", _EXAMPLE)
-    cls = (MODELS | FRESNEL)[call.id]
+    classes = registered(Parametrised)
+    if not isinstance(call, ast.Name) or call.id not in classes:
+        raise ParameterError(f"{_quoted(node)} is not a model", _example())
+    cls = classes[call.id]
     known = {f.name: f for f in fields(cls)}
-    positional = [name for name in known if name in ("base", "dust")]
+    positional = [p.name for p in _positional(cls)]
     given: dict[str, Any] = {}
     if isinstance(node, ast.Call):
         if len(node.args) > len(positional):
@@ -107,12 +112,13 @@ def _build(node: ast.AST, path: tuple[str, ...], fixed: set[tuple[str, ...]]) ->
                     f"{call.id} has no parameter {name[:80]!r} (or it is given twice)", f"It has {', '.join(known)}"
                 )
             given[name] = _value(value, known[name], (*path, name), fixed)
-    if cls is DustLayer and "base" not in given:
-        raise ParameterError("dust_layer has no base", "Write dust_layer(oren_nayar), say")
+    missing = next((p.name for p in cls.declared_parts() if p.required and p.name not in given), None)
+    if missing:
+        raise ParameterError(f"{call.id} has no {missing}", f"Write {call.id}(oren_nayar), say")
     return cls(**given)
 
 
-def _value(node: ast.AST, declared: Any, path: tuple[str, ...], fixed: set[tuple[str, ...]]) -> Any:
+def _value(node: ast.AST, declared: Field[Any], path: tuple[str, ...], fixed: set[tuple[str, ...]]) -> Any:
     if "parameter" in declared.metadata:
         try:
             value = ast.literal_eval(node)
@@ -122,7 +128,7 @@ def _value(node: ast.AST, declared: Any, path: tuple[str, ...], fixed: set[tuple
         return value
     if isinstance(node, ast.Constant) and isinstance(node.value, str):
         return node.value
-    if isinstance(node, ast.Name) and node.id not in MODELS | FRESNEL:
+    if isinstance(node, ast.Name) and ("option" in declared.metadata or node.id not in registered(Parametrised)):
         return node.id  # an option as a bare word: normalization=facets
     return _build(node, path, fixed)
 
@@ -132,17 +138,17 @@ def describe(model: Parametrised, *, values: bool = False) -> str:
     if isinstance(model, Sum):
         a, b = describe(model.a, values=values), describe(model.b, values=values)
         return f"{a} + ({b})" if isinstance(model.b, Sum) else f"{a} + {b}"
-    parts = []
+    parts, positional = [], [p.name for p in _positional(type(model))]
     for f in fields(model):
         value = getattr(model, f.name)
         if isinstance(value, Parametrised):
             text = describe(value, values=values)
             if not values and isinstance(f.default, Parametrised) and text == describe(f.default):
                 continue  # `parse` puts it there
-            parts.append(text if f.name in ("base", "dust") else f"{f.name}={text}")
+            parts.append(text if f.name in positional else f"{f.name}={text}")
         elif "parameter" in f.metadata:
             if values:
                 parts.append(f"{f.name}={value.tolist() if hasattr(value, 'tolist') else value}")
         elif value != f.default:
             parts.append(f"{f.name}={value}")
-    return _NAMES[type(model)] + (f"({', '.join(parts)})" if parts else "")
+    return name_of(type(model)) + (f"({', '.join(parts)})" if parts else "")

@@ -8,7 +8,8 @@ from typing import final
 
 from motes import equations
 from motes.arrays import Array
-from motes.parameters import Parametrised, parameter
+from motes.models.naming import register
+from motes.parameters import Parametrised, Role, parameter
 
 
 @dataclass(frozen=True, eq=False)
@@ -19,7 +20,12 @@ class Fresnel(Parametrised, ABC):
     def reflectance(self, xp: Array, cos_theta_d: Array) -> Array:
         """Unpolarised reflectance in [0, 1] at the angle of incidence on the facet."""
 
+    @abstractmethod
+    def at_normal(self) -> Array:
+        """`reflectance` at normal incidence, by arithmetic alone: what programs take that draw Schlick's curve from it."""
 
+
+@register("dielectric")
 @final
 @dataclass(frozen=True, eq=False)
 class Dielectric(Fresnel):
@@ -34,13 +40,18 @@ class Dielectric(Fresnel):
         doc="refractive index relative to the outside",
         per_channel=True,
         shared_in_fit=True,
+        role=Role.REFRACTIVE_INDEX,
         advice="Water 1.33, glass and varnish 1.5, diamond 2.4",
     )
 
     def reflectance(self, xp: Array, cos_theta_d: Array) -> Array:
         return equations.fresnel_dielectric(xp, cos_theta_d, self.n)
 
+    def at_normal(self) -> Array:
+        return equations.fresnel_normal(self.n, 0.0)
 
+
+@register("conductor")
 @final
 @dataclass(frozen=True, eq=False)
 class Conductor(Fresnel):
@@ -55,6 +66,7 @@ class Conductor(Fresnel):
         doc="real part of the refractive index",
         per_channel=True,
         shared_in_fit=True,
+        role=Role.REFRACTIVE_INDEX,
     )
     k: Array = parameter(
         3.0,
@@ -65,12 +77,17 @@ class Conductor(Fresnel):
         doc="extinction coefficient",
         per_channel=True,
         shared_in_fit=True,
+        role=Role.EXTINCTION,
     )
 
     def reflectance(self, xp: Array, cos_theta_d: Array) -> Array:
         return equations.fresnel_conductor(xp, cos_theta_d, self.n, self.k)
 
+    def at_normal(self) -> Array:
+        return equations.fresnel_normal(self.n, self.k)
 
+
+@register("schlick")
 @final
 @dataclass(frozen=True, eq=False)
 class Schlick(Fresnel):
@@ -84,7 +101,11 @@ class Schlick(Fresnel):
         doc="reflectance at normal incidence",
         per_channel=True,
         shared_in_fit=True,
+        role=Role.NORMAL_REFLECTANCE,
     )
 
     def reflectance(self, xp: Array, cos_theta_d: Array) -> Array:
         return equations.fresnel_schlick(xp, cos_theta_d, self.f0)
+
+    def at_normal(self) -> Array:
+        return self.f0

@@ -1,13 +1,15 @@
 """Warps of the unit square onto the hemisphere, each with its exact density: what the models sample with.
 
-A lobe has ``sample(xp, wi, u)`` and ``pdf(xp, wi, wo)``; ``wi, wo`` are arrays (..., 3), ``u`` is (..., 2) in [0, 1),
-densities are per solid angle [1/sr] with shape (...).  A sample may fall below the horizon (`FacetLobe`): its energy is
-lost, and the density stays exact above."""
+What belongs to a lobe stands with it: how it is sampled, its density, and what kind of reflection it is.  ``wi, wo`` are arrays
+(..., 3), ``u`` is (..., 2) in [0, 1), densities are per solid angle [1/sr] with shape (...).  A sample may fall below the horizon
+(`FacetLobe`): its energy is lost, and the density stays exact above."""
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import Protocol
+from enum import Enum
+from typing import ClassVar
 
 from motes import equations
 from motes.arrays import Array
@@ -16,12 +18,35 @@ from motes.directions import HALF_PI, SMALLEST_COSINE, Geometry, Vector
 TWO_PI = 6.283185307179586
 
 
-class Lobe(Protocol):
+class Reflection(Enum):
+    """What kind of reflection something is: what Mitsuba's ``BSDFFlags`` are made of.
+
+    All models reflect, none has a Dirac peak.  One that mirrors or transmits gets a kind of its own here."""
+
+    DIFFUSE = "diffuse"
+    GLOSSY = "glossy"
+
+
+class Lobe(ABC):
     """A way to choose an outgoing direction."""
 
-    def sample(self, xp: Array, wi: Array, u: Array) -> Array: ...
+    #: What kind of reflection it is made for.
+    reflection: ClassVar[Reflection]
 
-    def pdf(self, xp: Array, wi: Array, wo: Array) -> Array: ...
+    @abstractmethod
+    def sample(self, xp: Array, wi: Array, u: Array) -> Array:
+        """Directions ``wo`` (..., 3) from random numbers."""
+
+    @abstractmethod
+    def pdf(self, xp: Array, wi: Array, wo: Array) -> Array:
+        """The density of `sample` (...) [1/sr]; what it says below the horizon is not looked at."""
+
+    def shared(self, xp: Array, cos_theta: Array) -> list[tuple[Lobe, Array]]:
+        """The lobes among which a renderer chooses in the place of this one, with their shares.
+
+        ``cos_theta`` is the cosine of the direction that is given.  This lobe alone, unless another one finds light that it misses.
+        """
+        return [(self, 1.0)]
 
 
 def _components(w: Array) -> Vector:
@@ -29,8 +54,10 @@ def _components(w: Array) -> Vector:
 
 
 @dataclass(frozen=True)
-class CosineLobe:
+class CosineLobe(Lobe):
     """Proportional to cos(theta_r): for diffuse surfaces."""
+
+    reflection: ClassVar[Reflection] = Reflection.DIFFUSE
 
     def sample(self, xp: Array, wi: Array, u: Array) -> Array:
         radius, azimuth = xp.sqrt(u[..., 0]), TWO_PI * u[..., 1]
@@ -42,11 +69,13 @@ class CosineLobe:
 
 
 @dataclass(frozen=True)
-class FacetLobe:
+class FacetLobe(Lobe):
     """Mirror at a facet whose theta_h has the density proportional to theta_h exp(-(theta_h/sigma_s)^2) on [0, pi/2].
 
     That is D of equation (10) but for theta_h / (sin(theta_h) cos(theta_h)), and its distribution inverts in closed
     form."""
+
+    reflection: ClassVar[Reflection] = Reflection.GLOSSY
 
     sigma_s: Array
 
@@ -74,10 +103,21 @@ class FacetLobe:
 
 
 @dataclass(frozen=True)
-class PhaseLobe:
+class PhaseLobe(Lobe):
     """The Henyey-Greenstein phase function, its lower half folded up onto the hemisphere."""
 
+    reflection: ClassVar[Reflection] = Reflection.DIFFUSE
+
     g: Array
+
+    def shared(self, xp: Array, cos_theta: Array) -> list[tuple[Lobe, Array]]:
+        """The phase function, and for viewers away from the horizon the cosine of the light, which it leaves out.
+
+        With it the variance of g = 0 under a uniform sky falls to a tenth.  The share was found by minimising that variance; for
+        strongly directed dust it goes to 0.
+        """
+        share = 0.85 * xp.sqrt(cos_theta) * (1 - xp.maximum(self.g, -self.g))
+        return [(self, 1 - share), (CosineLobe(), share)]
 
     def sample(self, xp: Array, wi: Array, u: Array) -> Array:
         g, s = self.g, 2 * u[..., 0] - 1

@@ -8,16 +8,20 @@ of "Time-Varying BRDFs"."""
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import final
+from typing import ClassVar, Self, final
 
 from motes import equations
 from motes.arrays import Array
 from motes.directions import HALF_PI, Geometry
-from motes.models.base import BRDF, Component
-from motes.models.lobes import CosineLobe
-from motes.parameters import parameter
+from motes.models.base import BRDF
+from motes.models.components import Component
+from motes.models.lobes import CosineLobe, Reflection
+from motes.models.naming import register
+from motes.models.standard import StandardLobe
+from motes.parameters import Role, parameter
 
 
+@register("oren_nayar")
 @final
 @dataclass(frozen=True, eq=False)
 class OrenNayar(BRDF):
@@ -30,6 +34,12 @@ class OrenNayar(BRDF):
     linear in K_d, and its albedo is not K_d: the spherical albedo for K_d = 1 is 1.0002 at sigma_d = 0.1 and 0.80 at
     1.0, and the directional one reaches 1.05."""
 
+    words: ClassVar[str] = "Oren-Nayar"
+    approximation: ClassVar[str] = (
+        "Oren-Nayar: roughness is sigma_d in radians; C3, the side cos(phi_r - phi_i) < 0 of (1) and the inter-reflection (7) "
+        "are left out."
+    )
+
     K_d: Array = parameter(
         0.5,
         bounds=(0, float("inf")),
@@ -37,6 +47,7 @@ class OrenNayar(BRDF):
         symbol="K_d",
         doc="diffuse reflectance of a facet",
         per_channel=True,
+        role=Role.DIFFUSE_COLOUR,
     )
     sigma_d: Array = parameter(
         0.3,
@@ -46,6 +57,7 @@ class OrenNayar(BRDF):
         unit="rad",
         doc="standard deviation of the facets' slope angle",
         squared=True,
+        role=Role.DIFFUSE_ROUGHNESS,
     )
 
     def formula(self, xp: Array, geometry: Geometry) -> Array:
@@ -70,3 +82,7 @@ class OrenNayar(BRDF):
 
     def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
         return [Component(self.formula, CosineLobe(), self.K_d)]
+
+    def standard_lobes(self, xp: Array, values: Self, cos_view: Array) -> list[StandardLobe]:
+        # These are (1)-(5) without C3, without the side cos(phi_r - phi_i) < 0 and without the inter-reflection (7).
+        return [StandardLobe(Reflection.DIFFUSE, values.K_d, roughness=values.sigma_d)]

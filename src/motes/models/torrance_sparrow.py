@@ -7,21 +7,23 @@ as printed in appendix B of "Time-Varying BRDFs"."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
-from typing import final
+from typing import ClassVar, Self, final
 
 from motes import equations
-from motes.arrays import Array
+from motes.arrays import NUMPY, Array
 from motes.directions import HALF_PI, Geometry
-from motes.errors import ParameterError
-from motes.models.base import BRDF, Component
+from motes.models.base import BRDF
+from motes.models.components import Component
 from motes.models.fresnel import Fresnel
-from motes.models.lobes import FacetLobe
-from motes.parameters import parameter
+from motes.models.lobes import FacetLobe, Reflection
+from motes.models.naming import register
+from motes.models.standard import StandardLobe
+from motes.parameters import Place, Role, option, parameter, part
 
-NORMALIZATIONS = ("printed", "facets")
 
-
+@register("torrance_sparrow")
 @final
 @dataclass(frozen=True, eq=False)
 class TorranceSparrow(BRDF):
@@ -39,6 +41,12 @@ class TorranceSparrow(BRDF):
         None for F = 1 as in the source, or `Dielectric`, `Conductor`, `Schlick`.
     """
 
+    words: ClassVar[str] = "Torrance-Sparrow"
+    approximation: ClassVar[str] = (
+        "Torrance-Sparrow: GGX of alpha = sigma_s whose height and energy agree (K_s pi sigma_s^2, or K_s where D is "
+        "normalised); its tails are longer, and the shadowing is Smith's."
+    )
+
     K_s: Array = parameter(
         0.3,
         bounds=(0, float("inf")),
@@ -47,6 +55,7 @@ class TorranceSparrow(BRDF):
         doc="strength of the highlight",
         per_channel=True,
         shared_in_fit=True,
+        role=Role.HIGHLIGHT_STRENGTH,
     )
     sigma_s: Array = parameter(
         0.15,
@@ -57,21 +66,16 @@ class TorranceSparrow(BRDF):
         symbol="\\sigma_s",
         unit="rad",
         doc="width of the distribution of facet normals",
+        role=Role.HIGHLIGHT_WIDTH,
     )
-    normalization: str = "printed"
-    fresnel: Fresnel | None = None
-
-    def __post_init__(self) -> None:
-        if self.normalization not in NORMALIZATIONS:
-            raise ParameterError(
-                f"TorranceSparrow: normalization = {self.normalization!r} is not one of {', '.join(NORMALIZATIONS)}"
-            )
-        if not (self.fresnel is None or isinstance(self.fresnel, Fresnel)):
-            raise ParameterError(
-                f"TorranceSparrow: fresnel = {self.fresnel!r} is not a Fresnel term",
-                "Give Dielectric(n), Conductor(n, k), Schlick(f0) or None",
-            )
-        super().__post_init__()
+    normalization: str = option("printed", words=("printed", "facets"), doc="what D is normalised to")
+    fresnel: Fresnel | None = part(
+        Fresnel,
+        place=Place.FRESNEL,
+        default=None,
+        what="a Fresnel term",
+        advice="Give Dielectric(n), Conductor(n, k), Schlick(f0) or None",
+    )
 
     def _distribution(self, xp: Array, theta_h: Array) -> Array:
         D = equations.D(xp, theta_h, self.sigma_s)
@@ -88,3 +92,15 @@ class TorranceSparrow(BRDF):
         F = 1.0 if self.fresnel is None else self.fresnel.reflectance(xp, cos_theta_i)
         area = 1.0 if self.normalization == "facets" else xp.minimum(3.14 * self.sigma_s * self.sigma_s, 1.0)
         return [Component(self.formula, FacetLobe(self.sigma_s), self.K_s * F * area)]
+
+    def standard_lobes(self, xp: Array, values: Self, cos_view: Array) -> list[StandardLobe]:
+        # GGX has D(0) = 1/(pi alpha^2): with that area the height at the mirror direction and the energy stay.  F follows Schlick's
+        # curve from its value at normal incidence.
+        area = 1.0 if self.normalization == "facets" else math.pi * values.sigma_s * values.sigma_s
+        normal = 1.0 if values.fresnel is None else values.fresnel.at_normal()
+        return [StandardLobe(Reflection.GLOSSY, values.K_s * area, normal, values.sigma_s)]
+
+    def printed_highlight(self, strength: Array, width: Array) -> tuple[Array, Array] | None:
+        if self.fresnel is not None:
+            return None
+        return (strength / equations.facet_area(NUMPY, width) if self.normalization == "facets" else strength), width

@@ -31,11 +31,11 @@ from typing import Any, NamedTuple, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from motes.ageing.phenomena import PHENOMENA, Option, tau_slot
+from motes.ageing.phenomena import PHENOMENA, Option
 from motes.errors import MotesError, ParameterError
 from motes.material import Material
 from motes.meshes.mesh import Mesh, unit
-from motes.models import DustLayer, Lambert
+from motes.models import Lambert, layer_of
 from motes.rendering.noise import cloudy
 from motes.rendering.rays import Progress, Surroundings
 from motes.rendering.wiping import Stroke, look_up, smooth_step
@@ -273,20 +273,20 @@ def open_tau(days: float, *, growth_per_day: float = GROWTH_PER_DAY, material: M
     if not (np.isfinite(days) and days >= 0):
         raise ParameterError(f"days = {days:g} is not a length of time", "Give a number of days, 0 or more")
     if material is not None:
-        brdf = material.at(24 * days)
-        if not isinstance(brdf, DustLayer):
+        layer = layer_of(material.at(24 * days))
+        if layer is None:
             raise ParameterError(
                 f"{material.name} has no layer of dust on top", "motes age MATERIAL --phenomenon dust lays one over it"
             )
-        return float(checked_tau(np.ravel(brdf.tau), material.name)[0])
+        return float(checked_tau(np.ravel(layer.depth.value), material.name)[0])
     if days == 0:
         return 0.0
     if not (np.isfinite(growth_per_day) and growth_per_day >= 0):
         raise ParameterError(f"growth_per_day = {growth_per_day:g} is not a rate", "Give tau a day, 0 or more")
     aged = PHENOMENA["dust"](Lambert(K_d=0.5), hours=24 * days, tau_growth=growth_per_day * days)
-    layer = aged.at(24 * days)
-    assert isinstance(layer, DustLayer)  # what the phenomenon makes
-    return float(aged.trends[tau_slot(layer)](24 * days))
+    layer = layer_of(aged.brdf)
+    assert layer is not None  # what the phenomenon makes
+    return float(aged.trends[layer.depth.name](24 * days))
 
 
 def checked_tau(tau: Floats, what: str) -> Floats:

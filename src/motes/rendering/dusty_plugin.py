@@ -10,8 +10,7 @@ from motes import arrays, equations
 from motes.arrays import Array, Columns
 from motes.directions import Geometry, Vector
 from motes.errors import ParameterError
-from motes.models import BRDF, DustLayer
-from motes.models.base import Component
+from motes.models import BRDF, Component, DustLayer
 from motes.rendering.mixture import SMALLEST_COSINE, Mixture
 from motes.rendering.surface_plugin import _describe, _kind, _spectrum
 from motes.rendering.textures import Values

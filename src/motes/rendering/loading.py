@@ -65,11 +65,12 @@ def load_mitsuba(variant: str | None = None) -> Any:
 
 
 def register() -> None:
-    """Make ``motes_oren_nayar``, ``motes_torrance_sparrow``, ``motes_dusty`` and ``motes_material`` known to Mitsuba.
+    """Make the plugins known to Mitsuba: ``motes_NAME`` for each model (``motes_oren_nayar``), ``motes_dusty`` and ``motes_material``.
 
     ``motes.rendering.register() -> None``
 
-    They are there for the variant that is set now and for each that is set later; calling it again does nothing.  Called
+    They are there for the variant that is set now and for each that is set later; calling it again adds those of models that were
+    registered in between (`motes.models.register`).  Called
     before the first ``mitsuba.set_variant("llvm_...")`` it sees to it that a usable LLVM is found; if there is none, that
     call raises ImportError.
 
@@ -153,16 +154,18 @@ def _imported() -> Any:
 
 
 def _register_plugins(mi: Any) -> None:
-    if mi.variant() in _registered:
+    from motes.rendering import plugins
+
+    known = _registered.setdefault(mi.variant(), set())
+    if known.issuperset(plugins.names()):
         return
-    from motes.rendering.plugins import constructors
+    for name, constructor in plugins.constructors(mi).items():
+        if name not in known:
+            mi.register_bsdf(name, _recording(constructor))
+            known.add(name)
 
-    for name, constructor in constructors(mi).items():
-        mi.register_bsdf(name, _recording(constructor))
-    _registered.add(mi.variant())
 
-
-_registered: set[str] = set()
+_registered: dict[str, set[str]] = {}  # names of plugins by variant
 
 
 def _recording(constructor: Any) -> Any:

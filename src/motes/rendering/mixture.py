@@ -12,32 +12,11 @@ from typing import Any
 from motes import arrays
 from motes.arrays import Array, Columns
 from motes.directions import Geometry, Vector
-from motes.models import BRDF
-from motes.models.base import Component
-from motes.models.lobes import CosineLobe, FacetLobe, Lobe, PhaseLobe
+from motes.models import BRDF, Lobe
 
 # Where chances are computed: towards grazing those of a dust layer go to those of opaque dust.
 SMALLEST_COSINE = 1e-4
 _NOTHING = 1e-30  # so that a black surface has chances too
-
-
-def is_glossy(component: Component) -> bool:
-    """Whether a part is a highlight, for Mitsuba's flags."""
-    return isinstance(component.lobe, FacetLobe)
-
-
-def lobes_of(xp: Array, component: Component, cos_theta: Array) -> list[tuple[Lobe, Array]]:
-    """The lobes that sample a part, and their shares.
-
-    Dust is sampled by its phase function, and for viewers away from the horizon also by the cosine of the light, which
-    the phase function leaves out: the variance of g = 0 under a uniform sky falls to a tenth.  The share was found by
-    minimising that variance; for strongly directed dust it goes to 0.
-    """
-    if not isinstance(component.lobe, PhaseLobe):
-        return [(component.lobe, 1.0)]
-    g = component.lobe.g
-    share = 0.85 * xp.sqrt(cos_theta) * (1 - xp.maximum(g, -g))
-    return [(component.lobe, 1 - share), (CosineLobe(), share)]
 
 
 class Mixture:
@@ -69,7 +48,7 @@ class Mixture:
         self._lobes: list[tuple[Lobe, Array, int]] = []
         for position, k in enumerate(self.enabled):
             chance = (parts[k].importance + _NOTHING) / total if len(self.enabled) > 1 else 1.0
-            for lobe, share in lobes_of(self.xp, parts[k], cosine):
+            for lobe, share in parts[k].lobe.shared(self.xp, cosine):
                 self._lobes.append((lobe, chance * share, position))
 
     def value(self, wo: Any) -> Array:

@@ -1,31 +1,25 @@
-"""The plugins by name."""
+"""The plugins by name: ``motes_NAME`` for every registered model that stands alone, ``motes_dusty`` and ``motes_material``."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from motes.errors import ParameterError
-from motes.models import DustLayer, OrenNayar, TorranceSparrow
-from motes.models.expressions import FRESNEL
+from motes.models import BRDF, DustLayer, OrenNayar, TorranceSparrow, registered
 
 
-def constructors(mi: Any) -> dict[str, Any]:
+def names() -> list[str]:
+    """The names of all plugins there are now."""
+    return [*(f"motes_{name}" for name in _alone()), "motes_dusty", "motes_material"]
+
+
+def constructors(mi: Any) -> dict[str, Callable[[Any], Any]]:
     """Constructors for the variant that is set, by the plugins' names."""
     from motes.rendering.dusty_plugin import layer_class, nested_bsdfs
     from motes.rendering.surface_plugin import material_class, surface_class
 
     surface, layer = surface_class(mi), layer_class(mi)
-
-    def torrance_sparrow(properties: Any) -> Any:
-        """Options: ``normalization`` ("printed" or "facets") and ``fresnel`` ("dielectric", "conductor" or "schlick")."""
-        name = properties.plugin_name()
-        fresnel, normalization = _option(properties, name, "fresnel"), _option(properties, name, "normalization")
-        if fresnel is not None and fresnel not in FRESNEL:
-            raise ParameterError(f"{name}: fresnel = {fresnel!r} is not one of {', '.join(FRESNEL)}")
-        options: dict[str, Any] = {} if normalization is None else {"normalization": normalization}
-        if fresnel is not None:
-            options["fresnel"] = FRESNEL[fresnel]()
-        return surface(properties, TorranceSparrow(**options), (), ("fresnel", "normalization"))
 
     def dusty(properties: Any) -> Any:
         """Over the nested BSDF; where there is none, over the rough surface with a highlight of equations (1)-(11)."""
@@ -33,15 +27,40 @@ def constructors(mi: Any) -> dict[str, Any]:
             return layer(properties)
         return surface(properties, DustLayer(OrenNayar() + TorranceSparrow()))
 
-    return {
-        "motes_oren_nayar": lambda properties: surface(properties, OrenNayar()),
-        "motes_torrance_sparrow": torrance_sparrow,
-        "motes_dusty": dusty,
-        "motes_material": material_class(mi, surface),
-    }
+    models = {f"motes_{name}": _model_plugin(surface, name) for name in _alone()}
+    return models | {"motes_dusty": dusty, "motes_material": material_class(mi, surface)}
 
 
-def _option(properties: Any, owner: str, name: str) -> str | None:
+def _alone() -> list[str]:
+    """The models that need no other one: what lies over a base has a plugin of its own."""
+    return [name for name, cls in registered(BRDF).items() if not any(p.required for p in cls.declared_parts())]
+
+
+def _model_plugin(surface: type, model: str) -> Callable[[Any], Any]:
+    """The constructor of a model's plugin: its parameters are textures, its options and parts words (``fresnel="dielectric"``)."""
+
+    def construct(properties: Any) -> Any:
+        cls, owner = registered(BRDF)[model], properties.plugin_name()
+        given: dict[str, Any] = {}
+        for option in cls.declared_options():
+            word = _word(properties, owner, option.name)
+            given |= {} if word is None else {option.name: word}
+        for place in cls.declared_parts():
+            word, classes = _word(properties, owner, place.name), registered(place.accepts)
+            if word is not None and word not in classes:
+                raise ParameterError(f"{owner}: {place.name} = {word!r} is not one of {', '.join(classes)}")
+            given |= {} if word is None else {place.name: classes[word]()}
+        template = cls(**given)
+        if not template.reciprocal:
+            options = ", ".join(f"{name} = {value!r}" for name, value in template.options().items())
+            raise ParameterError(f"{owner} with {options} is not reciprocal, so it is no BRDF", "Leave the option out")
+        others = [*(o.name for o in cls.declared_options()), *(p.name for p in cls.declared_parts())]
+        return surface(properties, template, (), tuple(others))
+
+    return construct
+
+
+def _word(properties: Any, owner: str, name: str) -> str | None:
     if name not in properties:
         return None
     value = properties.get(name)

@@ -14,7 +14,7 @@ from motes.ageing import age
 from motes.errors import MotesError
 from motes.material import Material
 from motes.meshes.shapes import SHAPES
-from motes.models import DustLayer
+from motes.models import layer_of
 from motes.rendering.deposition import Deposit, checked_tau, deposit, open_tau
 from motes.rendering.passes import Look, rendered
 from motes.rendering.rays import Progress
@@ -84,15 +84,13 @@ def stage(
         own = checked_tau(item.mesh.attributes["tau"], look.scene)
         notes.append(f"dust lies as {item.name} says: tau up to {own.max():.3g}")
     dusty = share is not None or own is not None
-    if dusty and not isinstance(material.brdf, DustLayer):
+    if dusty and layer_of(material.brdf) is None:
         material = age(material, "dust", hours=_gathering(hours))
-        layer = material.brdf
-        assert isinstance(layer, DustLayer)
         grown = (
             "" if own is not None else f", tau to {open_tau(hours[1] / HOURS_A_DAY, material=material):.3g} in the open"
         )
         notes.append(f"the material has no dust; that of the phenomenon lies on it{grown}")
-    file = _saved(material, folder)
+    file, layer = _saved(material, folder), layer_of(material.brdf)
 
     def described(time: float) -> dict[str, Any]:
         bsdf: dict[str, Any] = {"type": "motes_material", "filename": str(file), "time": float(time)}
@@ -100,8 +98,9 @@ def stage(
         if item.mesh is not None and dusty:
             tau = own if share is None else share.tau(open_tau(time / HOURS_A_DAY, material=material))
             assert tau is not None
+            assert layer is not None
             shown = Subject(item.mesh.with_attribute("tau", tau), item.name)
-            bsdf["tau"] = {"type": "mesh_attribute", "name": "vertex_tau"}
+            bsdf[layer.depth.name] = {"type": "mesh_attribute", "name": "vertex_tau"}
         return preview(shown, bsdf, size=look.size, env=look.env)
 
     def draw(time: float) -> Floats:

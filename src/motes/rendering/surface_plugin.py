@@ -1,4 +1,4 @@
-"""The plugins that are a model of Motes as it stands: ``motes_oren_nayar``, ``motes_torrance_sparrow``, ``motes_material``."""
+"""The plugins that are a model of Motes as it stands: ``motes_oren_nayar`` and its like, and ``motes_material``."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ import numpy as np
 
 from motes.errors import ParameterError
 from motes.material import load
-from motes.models import BRDF
-from motes.rendering.mixture import Mixture, is_glossy
+from motes.models import BRDF, Reflection, describe
+from motes.rendering.mixture import Mixture
 from motes.rendering.textures import Values
 
 
@@ -30,9 +30,8 @@ def surface_class(mi: Any) -> type:
             parts = template.components(np, 1.0)
             flags = mi.BSDFFlags
             front = flags.FrontSide | flags.SpatiallyVarying
-            self.m_components = [
-                (flags.GlossyReflection if is_glossy(part) else flags.DiffuseReflection) | front for part in parts
-            ]
+            kinds = {Reflection.DIFFUSE: flags.DiffuseReflection, Reflection.GLOSSY: flags.GlossyReflection}
+            self.m_components = [kinds[part.reflection] | front for part in parts]
             self.m_flags = 0
             for flag in self.m_components:
                 self.m_flags |= flag
@@ -97,9 +96,9 @@ def material_class(mi: Any, surface: type) -> type:
             if isinstance(hours, bool) or not isinstance(hours, (int, float)):
                 raise ParameterError(f"{owner}: time = {str(hours)[:80]!r} is not a number of hours", "Give a number")
             brdf = self.material.at(hours)
-            if not all(part.options().get("form", "brdf") == "brdf" for part in _parts(brdf)):
+            if not brdf.reciprocal:
                 raise ParameterError(
-                    f"{self.file} holds dust in the form 'brightness', which is no BRDF", "Save it with form='brdf'"
+                    f"{self.file} is not reciprocal, so it is no BRDF: {describe(brdf)}", "Save dust with form='brdf'"
                 )
             super().__init__(properties, brdf, self.material.wavelengths, ("filename", "time"))
             # A constant texture, so that mitsuba.traverse can change it in every variant.
@@ -118,10 +117,6 @@ def material_class(mi: Any, surface: type) -> type:
             return f"{self.file.name} {_describe(self.values)}"
 
     return AgeingSurface
-
-
-def _parts(model: Any) -> list[Any]:
-    return [model, *(part for child in model.children().values() for part in _parts(child))]
 
 
 def _resolved(mi: Any, properties: Any, owner: str) -> Path:

@@ -7,12 +7,7 @@ import math
 import numpy as np
 
 from motes.fitting.result import Fit, Verdict
-from motes.models import Dust, DustLayer, Lambert, OrenNayar, TorranceSparrow
-from motes.models.base import BRDF
-from motes.models.sums import Sum
 from motes.report.slices import NearMirror, Samples, grows, ratio_by_angle
-
-_WORDS = {Lambert: "Lambert", OrenNayar: "Oren-Nayar", TorranceSparrow: "Torrance-Sparrow", Dust: "dust"}
 
 
 def percent(share: float) -> str:
@@ -30,18 +25,6 @@ def percent(share: float) -> str:
 def count(n: float, one: str, many: str | None = None) -> str:
     """``1 sample``, ``1,439 samples``."""
     return f"{int(n):,} {one if n == 1 else many or one + 's'}"
-
-
-def model_words(brdf: BRDF) -> str:
-    """A model in words: ``Oren-Nayar + Torrance-Sparrow under dust``."""
-    if isinstance(brdf, Sum):
-        return f"{model_words(brdf.a)} + {model_words(brdf.b)}"
-    if isinstance(brdf, DustLayer):
-        base = model_words(brdf.base)
-        return f"({base}) under dust" if " + " in base else f"{base} under dust"
-    words = _WORDS.get(type(brdf), type(brdf).__name__)
-    fresnel = getattr(brdf, "fresnel", None)
-    return f"{words} with {type(fresnel).__name__} Fresnel" if fresnel is not None else words
 
 
 def verdict(fit: Fit) -> str:

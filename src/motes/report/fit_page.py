@@ -125,7 +125,7 @@ def _headline(context: Context) -> Html:
         tag(
             "div",
             tag("h1", data.name),
-            tag("p", findings.model_words(fit.brdf), class_="model"),
+            tag("p", fit.brdf.in_words(), class_="model"),
             tag(
                 "p",
                 findings.verdict(fit),

@@ -13,8 +13,8 @@ from motes.drawing.markup import Html, tag
 from motes.drawing.sphere import evaluate
 from motes.drawing.svg import Panel, Scale, number
 from motes.fitting.result import Fit
-from motes.models import BRDF, TorranceSparrow, describe
-from motes.models.sums import Sum
+from motes.models import BRDF, describe
+from motes.parameters import Place, Role
 from motes.report.figures import DEGREES, Shown, channel_key, figure, key
 from motes.report.slices import NearMirror, Slice, Slices, grows
 
@@ -29,11 +29,6 @@ def plane_curve(brdf: BRDF, theta_i: float, theta_r: Floats, n_channels: int, *,
     )
     value = evaluate(brdf, np.broadcast_to(wi, wo.shape), wo)
     return np.broadcast_to(value, (len(value), n_channels))
-
-
-def parts(brdf: BRDF) -> list[BRDF]:
-    """The terms of a sum."""
-    return [*parts(brdf.a), *parts(brdf.b)] if isinstance(brdf, Sum) else [brdf]
 
 
 # ---------------------------------------------------------------- figures
@@ -152,13 +147,12 @@ def mirror_figure(fit: Fit, near: NearMirror, channels: Sequence[Shown]) -> Html
 
 
 def _without_fresnel(brdf: BRDF) -> bool:
-    lobes = [part for part in _tree(brdf) if isinstance(part, TorranceSparrow)]
-    return bool(lobes) and all(lobe.fresnel is None for lobe in lobes)
-
-
-def _tree(part: object) -> list[object]:
-    children = part.children().values() if hasattr(part, "children") else ()
-    return [part, *(x for child in children for x in _tree(child))]
+    """Whether there are highlights, all of which could take a Fresnel term and have none."""
+    highlights = [part for part in brdf.walk() if any(p.role is Role.HIGHLIGHT_STRENGTH for p in part.declared())]
+    places = [{p.name for p in part.declared_parts() if p.place is Place.FRESNEL} for part in highlights]
+    return bool(highlights) and all(
+        own and not part.at_place(Place.FRESNEL) for part, own in zip(highlights, places, strict=True)
+    )
 
 
 def lobes_figure(fit: Fit, channels: Sequence[Shown]) -> Html:
@@ -166,7 +160,7 @@ def lobes_figure(fit: Fit, channels: Sequence[Shown]) -> Html:
     theta_r = np.deg2rad(np.linspace(-89.9, 89.9, 360))
     incidences = np.deg2rad((15, 45, 75))
     n = fit.measurement.n_channels
-    terms = parts(fit.brdf) if len(channels) == 1 else []
+    terms = fit.brdf.terms() if len(channels) == 1 else ()
     grids = [np.sort(np.r_[theta_r, t + np.deg2rad(np.linspace(-4, 4, 81))]) for t in incidences]
     curves = [plane_curve(fit.brdf, t, g, n) * np.cos(g)[:, None] for t, g in zip(incidences, grids, strict=True)]
     index = [c.channel for c in channels]

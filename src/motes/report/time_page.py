@@ -24,7 +24,7 @@ from motes.fitting.tables import with_error
 from motes.material import Material
 from motes.report import plots, residuals, sections, time_plots
 from motes.report.figures import Shown, channel_key, shown_channels
-from motes.report.findings import count, model_words, percent
+from motes.report.findings import count, percent
 from motes.report.fit_page import POLICY
 from motes.report.sections import Context
 from motes.report.slices import Samples, Slices, polar_slices
@@ -248,9 +248,7 @@ def _headline(context: TimeContext) -> Html:
         tag(
             "div",
             tag("h1", data.name),
-            tag(
-                "p", f"{model_words(fit.brdf)}, {times.words(times.first)} to {times.words(times.last)}", class_="model"
-            ),
+            tag("p", f"{fit.brdf.in_words()}, {times.words(times.first)} to {times.words(times.last)}", class_="model"),
             tag("p", verdict(fit, times), " ", changes(fit), class_="lead"),
             tag("dl", *(tag("div", tag("dt", name), tag("dd", value)) for name, value in facts), class_="facts"),
         ),

@@ -14,20 +14,12 @@ from typing import Any
 import numpy as np
 
 from motes import material
-from motes.models import Lambert
-from motes.models.dust import FORMS, Dust
-from motes.models.expressions import FRESNEL, MODELS
-from motes.models.fresnel import Fresnel
-from motes.models.torrance_sparrow import NORMALIZATIONS
-from motes.parameters import Parameter, Parametrised
+from motes.models import BRDF, Fresnel, Lambert, registered
+from motes.models.naming import name_of
+from motes.parameters import Parameter, Parametrised, PartField
 from motes.viewer import contract
 
 _GREEK = {"\\sigma": "σ", "\\tau": "τ"}
-#: The words that an option accepts; a test checks that the models have no other options.
-OPTIONS: dict[tuple[str, str], tuple[str, ...]] = {
-    ("torrance_sparrow", "normalization"): NORMALIZATIONS,
-    ("dust", "form"): FORMS,
-}
 _HEAD = """// Written by tools/viewer_build.py from what Python declares: do not edit.
 
 export interface ParameterDeclaration {
@@ -71,7 +63,7 @@ export interface ModelDeclaration {
 
 def typescript() -> str:
     """The text of ``viewer/src/generated.ts``."""
-    models = {name: _model(name, cls) for name, cls in (MODELS | FRESNEL).items()}
+    models = {name: _model(cls) for name, cls in (registered(BRDF) | registered(Fresnel)).items()}
     lines = [_HEAD]
     lines += [f"export const MATERIAL_FORMAT = {json.dumps(material.Material(Lambert()).to_dict()['format'])};"]
     lines += [f"export const MATERIAL_VERSION = {material.VERSION};"]
@@ -92,20 +84,29 @@ def plain_symbol(tex: str) -> str:
     return tex
 
 
-def _model(name: str, cls: type[Parametrised]) -> dict[str, Any]:
-    declared = {p.name: p for p in cls.declared()}
+def _model(cls: type[Parametrised]) -> dict[str, Any]:
+    parameters = {p.name: p for p in cls.declared()}
+    options = {o.name: o for o in cls.declared_options()}
+    parts = {p.name: p for p in cls.declared_parts()}
     listed: list[dict[str, Any]] = []
     for f in fields(cls):
-        if f.name in declared:
-            listed.append(_parameter(declared[f.name]))
-        elif (name, f.name) in OPTIONS:
-            listed.append({"kind": "option", "name": f.name, "value": f.default, "words": list(OPTIONS[name, f.name])})
+        if f.name in parameters:
+            listed.append(_parameter(parameters[f.name]))
+        elif f.name in options:
+            option = options[f.name]
+            listed.append({"kind": "option", "name": f.name, "value": option.default, "words": list(option.words)})
         else:
-            accepts = {"base": "brdf", "dust": "dust", "fresnel": "fresnel"}[f.name]
-            default = "dust" if isinstance(f.default, Dust) else None
-            listed.append({"kind": "child", "name": f.name, "accepts": accepts, "value": default})
+            listed.append(_child(parts[f.name]))
     summary = (cls.__doc__ or "").strip().split("\n")[0]
-    return {"brdf": not issubclass(cls, Fresnel), "summary": summary, "fields": listed}
+    return {"brdf": issubclass(cls, BRDF), "summary": summary, "fields": listed}
+
+
+def _child(part: PartField) -> dict[str, Any]:
+    """A part: what it accepts is a model by name, or any of a kind."""
+    kinds: dict[type, str] = {BRDF: "brdf", Fresnel: "fresnel"}
+    accepts = kinds.get(part.accepts) or name_of(part.accepts)
+    default = None if part.default is None else name_of(type(part.default))
+    return {"kind": "child", "name": part.name, "accepts": accepts, "value": default}
 
 
 def _parameter(p: Parameter) -> dict[str, Any]:

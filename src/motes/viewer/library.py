@@ -6,17 +6,15 @@ layer over a Lambertian base, whose value is K_d/pi: with K_d = pi f.
 
 from __future__ import annotations
 
+import itertools
 from functools import cache
+from typing import Any
 
 from motes.exports import glsl
 from motes.exports.shaders import Shader
-from motes.models import BRDF, Conductor, Dielectric, Dust, DustLayer, Lambert, OrenNayar, Schlick, TorranceSparrow
-from motes.models.dust import FORMS
-from motes.models.torrance_sparrow import NORMALIZATIONS
+from motes.models import BRDF, Lambert, registered
+from motes.parameters import Parametrised, Place
 from motes.viewer.contract import ShaderView, UniformView
-
-FRESNELS = {"": None, "dielectric": Dielectric(), "conductor": Conductor(), "schlick": Schlick()}
-LAYER = "dust_layer"
 
 
 def shader_view(shader: Shader) -> ShaderView:
@@ -29,23 +27,34 @@ def shader_view(shader: Shader) -> ShaderView:
 
 
 def pieces() -> dict[str, BRDF]:
-    """The models by the names under which the page looks for them: the model's name, and its options where it has some."""
-    models: dict[str, BRDF] = {"lambert": Lambert(), "oren_nayar": OrenNayar(), LAYER: DustLayer(Lambert())}
-    models |= {f"dust_{form}": Dust(form=form) for form in FORMS}
-    models |= {
-        "_".join(filter(None, ("torrance_sparrow", normalization, name))): TorranceSparrow(
-            normalization=normalization, fresnel=fresnel
-        )
-        for normalization in NORMALIZATIONS
-        for name, fresnel in FRESNELS.items()
-    }
+    """The models by the names under which the page looks for them: the model's name, and its options and Fresnel term where it has some."""
+    models: dict[str, BRDF] = {}
+    for name, cls in registered(BRDF).items():
+        bases = {p.name: Lambert() for p in cls.declared_parts() if p.place is Place.BASE}
+        options: list[tuple[str, list[tuple[str, Any]]]]
+        options = [(o.name, [(word, word) for word in o.words]) for o in cls.declared_options()]
+        options += [(p.name, _terms(p.accepts)) for p in cls.declared_parts() if p.place is Place.FRESNEL]
+        # A layer is made of one thing here, in its first form: the page refuses others, as Motes does.
+        for chosen in itertools.product(*(choices for _, choices in options)):
+            words = [word for word, _ in chosen if word]
+            given = {field: value for (field, _), (_, value) in zip(options, chosen, strict=True)}
+            models["_".join([name, *words])] = cls(**bases, **given)
     return models
 
 
-@cache
+def _terms(accepts: type[Parametrised]) -> list[tuple[str, Any]]:
+    """None, and each registered Fresnel term, by name."""
+    return [("", None), *((name, cls()) for name, cls in registered(accepts).items())]
+
+
 def library() -> dict[str, ShaderView]:
     """Every piece, printed with three channels."""
-    return {name: shader_view(glsl.shader(_colored(model), name=f"{name}_eval")) for name, model in pieces().items()}
+    return {name: _printed(name, model) for name, model in pieces().items()}
+
+
+@cache
+def _printed(name: str, model: BRDF) -> ShaderView:
+    return shader_view(glsl.shader(_colored(model), name=f"{name}_eval"))
 
 
 def _colored(model: BRDF) -> BRDF:

@@ -1,0 +1,46 @@
+"""The directional albedo of a BRDF, by quadrature in the coordinates of its own lobes."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from motes.arrays import NUMPY, Array
+from motes.directions import Geometry, Vector
+from motes.models.components import Reflecting
+from motes.models.lifting import averaged, broadcast, leading, lifted, matching, sliced
+
+#: Directions of light that are integrated at a time.
+BLOCK = 256
+
+
+def directional_albedo(model: Reflecting, xp: Array, wi: Array, nodes: tuple[int, int]) -> Array:
+    """See `motes.models.BRDF.directional_albedo`; `wi` (..., 3) is an array of the library whose namespace is `xp`."""
+    shape = np.broadcast_shapes(tuple(wi.shape[:-1]), *leading(model))
+    if xp is NUMPY and np.prod(shape) > BLOCK:  # a bounded number of pairs at a time
+        flat = np.broadcast_to(wi, (*shape, 3)).reshape(-1, 3)
+        parts = [
+            directional_albedo(sliced(model, shape, k, k + BLOCK), xp, flat[k : k + BLOCK], nodes)
+            for k in range(0, len(flat), BLOCK)
+        ]
+        return np.concatenate(parts).reshape(*shape, -1)
+    polar, weights = np.polynomial.legendre.leggauss(nodes[0])
+    grid = np.stack(np.meshgrid(0.5 * (polar + 1), (np.arange(nodes[1]) + 0.5) / nodes[1], indexing="ij"), -1).reshape(
+        -1, 2
+    )
+    grid_weights = np.repeat(0.5 * weights / nodes[1], nodes[1])
+    u, grid_weights = matching(grid, wi), matching(grid_weights, wi)
+    wi = broadcast(wi[..., None, :], (*wi.shape[:-1], len(grid), 3))
+    with np.errstate(all="ignore"):
+        # The same parts twice: with channels for their formulas, without for their lobes.
+        formulas = [part.formula for part in lifted(model, xp, wi, extra_axes=1).components(xp, 1.0)]
+        lobes = [part.lobe for part in averaged(model, wi, extra_axes=1).components(xp, 1.0)]
+        total: Array = 0.0
+        for formula, lobe in zip(formulas, lobes, strict=True):
+            wo = lobe.sample(xp, wi, broadcast(u, (*wi.shape[:-1], 2)))
+            geometry = Geometry(xp, Vector.of(wi), Vector.of(wo))
+            value = geometry.above_horizon(formula(xp, geometry))
+            pdf = lobe.pdf(xp, wi, wo)[..., None]
+            cosine = xp.maximum(wo[..., 2:3], 0.0)
+            ratio = xp.where(pdf > 0, value * cosine / xp.maximum(pdf, 1e-30), 0.0)
+            total = total + (ratio * grid_weights[:, None]).sum(-2)
+    return total

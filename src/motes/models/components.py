@@ -1,0 +1,48 @@
+"""What a BRDF is made of: components, each with the lobe that samples it and what kind of reflection it is."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from motes.arrays import Array
+from motes.directions import Geometry
+from motes.models.lobes import Lobe, Reflection
+from motes.parameters import Parametrised
+
+
+@dataclass(frozen=True)
+class Component:
+    """A part of a BRDF with the lobe that samples it.
+
+    Parameters
+    ----------
+    formula
+        ``formula(xp, geometry)`` is the part's value [1/sr].
+    lobe
+        Chooses its directions.
+    importance
+        About the share of light that it reflects, a number or an array that broadcasts against directions.
+    kind
+        What kind of reflection it is; that of its lobe where nothing is said.
+    """
+
+    formula: Callable[[Array, Geometry], Array]
+    lobe: Lobe
+    importance: Array
+    kind: Reflection | None = None
+
+    @property
+    def reflection(self) -> Reflection:
+        """What kind of reflection it is."""
+        return self.lobe.reflection if self.kind is None else self.kind
+
+
+@dataclass(frozen=True, eq=False)
+class Reflecting(Parametrised, ABC):
+    """What has components."""
+
+    @abstractmethod
+    def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
+        """The parts that are sampled and integrated each in its own way; their formulas add up to the BRDF's."""
