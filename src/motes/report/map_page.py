@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from importlib import resources
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -17,8 +16,8 @@ from motes.files import replacing, write_text
 from motes.maps.comparison import quartiles
 from motes.maps.fitted import FittedMap
 from motes.maps.layout import FLAGS, NOT_FITTED
+from motes.report.document import document
 from motes.report.figures import color_bar, figure
-from motes.report.fit_page import POLICY
 from motes.version import __version__
 
 Pixels = NDArray[np.uint8]
@@ -154,15 +153,6 @@ def _figure(strip: Strip) -> Html:
 def _page(fitted: FittedMap, strips: list[Strip]) -> str:
     done, where = fitted.done(), _thinned(fitted)
     counts = fitted.counts()
-    style = resources.files("motes.report").joinpath("style.css").read_text(encoding="utf-8")
-    head = tag(
-        "head",
-        tag("meta", charset="utf-8"),
-        tag("meta", http_equiv="Content-Security-Policy", content=POLICY),
-        tag("meta", name="viewport", content="width=device-width, initial-scale=1"),
-        tag("title", f"{fitted.name}: {fitted.model} · Motes"),
-        tag("style", Html(style)),
-    )
     step = where[0].step or 1
     size = f"{fitted.shape[1]} x {fitted.shape[0]} texels"
     times = f"{len(fitted.hours)} times" if len(fitted.hours) > 1 else "one time"
@@ -185,8 +175,8 @@ def _page(fitted: FittedMap, strips: list[Strip]) -> str:
     heads = ("map", "lower quarter", "median", "upper quarter", "standard error (median)")
     parts += [tag("h2", "Numbers"), table(heads, rows)]
     parts += [tag("h2", "How sure"), *_errors(fitted, where), *_status(fitted, where, counts)]
-    footer = tag("footer", f"Motes {__version__}. Fitted from {fitted.plan.settings.source}.")
-    return "<!doctype html>\n" + tag("html", head, tag("body", tag("main", *parts, footer)), lang="en") + "\n"
+    parts.append(tag("footer", f"Motes {__version__}. Fitted from {fitted.plan.settings.source}."))
+    return document(f"{fitted.name}: {fitted.model}", *parts)
 
 
 def _errors(fitted: FittedMap, where: tuple[slice, slice]) -> list[Html]:

@@ -37,7 +37,7 @@ def plane_curve(brdf: BRDF, theta_i: float, theta_r: Floats, n_channels: int, *,
 def slices_figure(fit: Fit, slices: Slices, channels: Sequence[Shown], value_scale: Scale) -> Html:
     """Measured dots and fitted curves along a plane at several angles of incidence, all on one scale."""
     across = slices.panels[0].across
-    panels = [_slice_panel(fit, s, channels, value_scale) for s in slices.panels]
+    panels = [slice_panel(fit, s, channels, value_scale) for s in slices.panels]
     where = "at right angles to the plane of incidence" if across else "in the plane of incidence"
     exact = np.degrees([slices.off_plane, slices.off_angle])
     caption = (
@@ -70,7 +70,7 @@ def slice_scale(fit: Fit, all_slices: Sequence[Slices], channels: Sequence[Shown
     return Scale.around([high, min(top, 1.5 * high)], zero=True)
 
 
-def _slice_panel(fit: Fit, part: Slice, channels: Sequence[Shown], value_scale: Scale) -> Html:
+def slice_panel(fit: Fit, part: Slice, channels: Sequence[Shown], value_scale: Scale) -> Html:
     x = Scale(0 if part.across else -90, 90, ticks=DEGREES)
     panel = Panel(x, value_scale, part.title, "θᵣ [°]", "f [1/sr]")
     mirror = np.degrees(part.theta_i)

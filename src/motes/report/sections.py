@@ -15,6 +15,7 @@ from motes.drawing.markup import Html, join, table, tag
 from motes.fitting.losses import LOSSES
 from motes.fitting.result import Fit, FittedParameter, Verdict
 from motes.fitting.tables import parameter_rows
+from motes.material import Material
 from motes.report import plots, residuals
 from motes.report.figures import Shown
 from motes.report.findings import count, percent
@@ -75,8 +76,8 @@ def parameters(context: Context) -> Html:
 
 
 def _row(p: FittedParameter, row: dict[str, str]) -> list[object]:
-    kind, mark = _CHIPS[Verdict(row["verdict"])]
-    words, _, detail = row["verdict"].partition(": ")
+    verdict = Verdict(row["verdict"])
+    _, _, detail = row["verdict"].partition(": ")
     low, high = p.bounds
     return [
         tag("td", tag("code", row["name"])),
@@ -84,14 +85,20 @@ def _row(p: FittedParameter, row: dict[str, str]) -> list[object]:
         tag("td", row["value"], class_="number"),
         tag("td", f"± {row['stderr']}" if row["stderr"] else "–", class_="number"),
         row["unit"] or "ratio",
-        tag("td", tag("span", f"{mark} {words}", class_=f"verdict {kind}"), f" {detail}" if detail else None),
+        tag("td", chip(verdict), f" {detail}" if detail else None),
         row["meaning"],
         tag(
             "td",
-            "held" if kind == "plain" else f"{low:.4g} to {'∞' if math.isinf(high) else f'{high:.4g}'}",
+            "held" if verdict is Verdict.FIXED else f"{low:.4g} to {'∞' if math.isinf(high) else f'{high:.4g}'}",
             class_="number",
         ),
     ]
+
+
+def chip(verdict: Verdict) -> Html:
+    """A verdict as a mark and a word in its colour."""
+    kind, mark = _CHIPS[verdict]
+    return tag("span", f"{mark} {str(verdict).partition(': ')[0]}", class_=f"verdict {kind}")
 
 
 # ---------------------------------------------------------------- figures
@@ -321,13 +328,18 @@ def provenance(context: Context) -> Html:
 
 
 def use(context: Context) -> Html:
-    text = json.dumps(context.fit.material.to_dict(), indent=1, default=str)
-    address = "data:application/json;base64," + base64.b64encode(text.encode()).decode("ascii")
     code = (
         "import motes\n"
         'material = motes.load("material.json")       # written by motes fit, or saved from the link below\n'
         "f = material.brdf.eval(wi, wo)               # 1/sr, without the cosine; wi, wo (..., 3) unit vectors"
     )
+    return material_to_use(context.fit.material, code)
+
+
+def material_to_use(material: Material, code: str) -> Html:
+    """Lines that use a material, and the material itself, to save or to read."""
+    text = json.dumps(material.to_dict(), indent=1, default=str)
+    address = "data:application/json;base64," + base64.b64encode(text.encode()).decode("ascii")
     return join(
         tag("pre", tag("code", code)),
         tag("p", tag("a", "Save material.json", href=address, download="material.json"), " (it is part of this page)."),
