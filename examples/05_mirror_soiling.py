@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from motes import MotesError
-from motes.soiling.mirrors import cleanings, fit_soiling, growth, read_soiling
+from motes.soiling import cleanings, fit_soiling, growth, read_soiling
 
 out = Path(sys.argv[1]) if len(sys.argv) > 1 else None
 try:

@@ -9,7 +9,7 @@ import motes
 from motes.directions import from_spherical
 from motes.errors import DataError, ParameterError
 from motes.material import Material
-from motes.soiling.mirrors import Series, Soiling, cleanings, fit_soiling, growth, read_soiling, slant
+from motes.soiling import Series, Soiling, cleanings, fit_soiling, growth, read_soiling, slant
 
 THETA = np.deg2rad(15)
 NOISE = 0.0006

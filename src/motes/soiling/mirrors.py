@@ -18,79 +18,21 @@ What this tests is the attenuation.  It says nothing of how dust scatters (w, g)
 
 from __future__ import annotations
 
-import datetime
-import re
-from collections.abc import Sequence
 from dataclasses import dataclass
-from importlib import resources
-from itertools import pairwise
-from pathlib import Path
-from typing import Any, final
+from typing import final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from motes.errors import DataError, MissingExtraError, ParameterError
-from motes.files.spreadsheet import Cell, read_sheets
+from motes.errors import ParameterError
+from motes.soiling.readings import Series
 from motes.trends import Trend
 
 Floats = NDArray[np.float64]
 
 INCIDENCE_DEG = 15.0  # of the D&S 15R reflectometer; stated in the parameters of the Port Augusta set
-READINGS = 6  # points on a mirror behind each mean; the package says "6 to 9", and 6 makes the errors too large rather than too small
-RESOLUTION = 0.1 / np.sqrt(12)  # per cent; standard deviation of a reading rounded to 0.1
 LEAST_GAIN = 3.0  # standard errors, with the likeliest walk
 DOUBTFUL_GAIN = 2.0  # standard errors, with what the readings leave open of the walk
-_NAMED_TILT = re.compile(r"T(\d{1,2})$")
-
-
-@final
-@dataclass(frozen=True)
-class Series:
-    """Readings of one mirror in one campaign.
-
-    Parameters
-    ----------
-    site, campaign, mirror
-        Where, when (the first day, as YYYY-MM-DD), and which.
-    tilt_deg
-        Of the mirror from the horizontal [degrees].
-    days
-        Times of the readings (K,) [d], from the first.
-    reflectance
-        Means over the points on the mirror (K,), 0 to 1.
-    stderr
-        Their standard errors (K,).
-    rained
-        Whether rain was recorded between one reading and the next (K - 1,), or None where no rain gauge was.
-    start
-        Day of the first reading in the spreadsheet's count, which orders campaigns.
-    """
-
-    site: str
-    campaign: str
-    mirror: str
-    tilt_deg: float
-    days: Floats
-    reflectance: Floats
-    stderr: Floats
-    rained: NDArray[np.bool_] | None = None
-    start: float = 0.0
-
-    def __post_init__(self) -> None:
-        days, R, se = (np.asarray(x, float) for x in (self.days, self.reflectance, self.stderr))
-        if not (days.ndim == 1 and days.shape == R.shape == se.shape) or len(days) < 3:
-            raise DataError(
-                f"{self.mirror}: {days.shape}, {R.shape} and {se.shape} are not three or more readings with errors"
-            )
-        if not np.isfinite(days).all() or np.any(np.diff(days) <= 0):
-            raise DataError(f"{self.mirror}: the times of the readings do not go forward", "Sort them; each time once")
-        if not (np.all((R > 0) & (R <= 1)) and np.all(se > 0) and np.isfinite(se).all()):
-            raise DataError(
-                f"{self.mirror}: a reflectance is outside (0, 1] or has no positive error", "Give shares, not per cent"
-            )
-        for name, value in (("days", days), ("reflectance", R), ("stderr", se)):
-            object.__setattr__(self, name, value)
 
 
 @final
@@ -329,168 +271,3 @@ def _averaged(days: Floats, y: Floats, noise: Floats, moments: Floats, found: _F
     apart = c - mean
     total = np.einsum("q,qkl->kl", weights, covariance) + np.einsum("q,qk,ql->kl", weights, apart, apart)
     return _Found(mean, total, float(weights @ walks), found.deviance)
-
-
-# ------------------------------------------------------------ many mirrors
-
-
-@final
-@dataclass(frozen=True)
-class Growth:
-    """Mean growth of tau on the mirrors of one site and tilt.
-
-    Parameters
-    ----------
-    site, tilt_deg
-        Which.
-    mirrors
-        How many series.
-    rate, stderr
-        Mean weighted by the series' own errors and the scatter between them [1/d], and its standard error.  Series of one campaign share their weather, of
-        which this error does not know: the more mirrors a campaign has, the more it is too small.
-    resets
-        How many were found.
-    """
-
-    site: str
-    tilt_deg: float
-    mirrors: int
-    rate: float
-    stderr: float
-    resets: int
-
-
-def growth(fits: Sequence[Soiling]) -> tuple[Growth, ...]:
-    """By site and tilt, in order."""
-    groups: dict[tuple[str, float], list[Soiling]] = {}
-    for fit in fits:
-        groups.setdefault((fit.series.site, fit.series.tilt_deg), []).append(fit)
-    rows = []
-    for (site, tilt), members in sorted(groups.items()):
-        rates, errors = np.array([m.rate for m in members]), np.array([m.rate_stderr for m in members])
-        # Campaigns differ by their weather: the variance between them is added to each one's own (DerSimonian and Laird 1986).
-        weights = 1 / errors**2
-        mean = np.sum(weights * rates) / weights.sum()
-        if len(members) > 1:
-            excess = np.sum(weights * (rates - mean) ** 2) - (len(members) - 1)
-            between = max(excess / (weights.sum() - np.sum(weights**2) / weights.sum()), 0.0)
-            weights = 1 / (errors**2 + between)
-            mean = np.sum(weights * rates) / weights.sum()
-        rows.append(
-            Growth(
-                site,
-                tilt,
-                len(members),
-                float(mean),
-                float(1 / np.sqrt(weights.sum())),
-                sum(len(m.resets) for m in members),
-            )
-        )
-    return tuple(rows)
-
-
-def cleanings(
-    series: Sequence[Series], *, theta_i: float = np.deg2rad(INCIDENCE_DEG)
-) -> tuple[tuple[Series, Series, float, float], ...]:
-    """Between two campaigns of one mirror: (before, after, fall of tau, its standard error), where it fell by more than three standard errors."""
-    depth, found = slant(theta_i), []
-    mirrors: dict[tuple[str, str], list[Series]] = {}
-    for one in series:
-        mirrors.setdefault((one.site, one.mirror), []).append(one)
-    for runs in mirrors.values():
-        runs = sorted(runs, key=lambda one: one.start)
-        for a, b in pairwise(runs):
-            if b.start < a.start + a.days[-1]:
-                continue
-            gain = float(np.log(b.reflectance[0] / a.reflectance[-1])) / depth
-            error = float(np.hypot(a.stderr[-1] / a.reflectance[-1], b.stderr[0] / b.reflectance[0])) / depth
-            if gain > LEAST_GAIN * error:
-                found.append((a, b, gain, error))
-    return tuple(found)
-
-
-# ------------------------------------------------------------ the package mirror-soiling-data
-
-
-def read_soiling() -> tuple[Series, ...]:
-    """All series of the package ``mirror-soiling-data`` (QUT and HelioCon, MIT licence): mirrors at five Australian sites.
-
-    A series needs three readings.  The spread over a mirror's points, divided by the square root of their number, is the error of a reading.
-
-    Raises
-    ------
-    MissingExtraError
-        Without the package.
-    FormatError
-        When a spreadsheet is damaged.
-    """
-    try:
-        root = Path(str(resources.files("mirror_soiling_data")))
-    except ModuleNotFoundError:
-        raise MissingExtraError("mirror-soiling-data", "soiling", "reading the soiling of mirrors") from None
-    found: list[Series] = []
-    for file in sorted(root.glob("*/*_[0-9]*_[0-9]*.xlsx")):
-        found += _campaign(file)
-    if not found:
-        raise DataError(f"{root} holds no campaigns", "Install mirror-soiling-data again")
-    return tuple(found)
-
-
-def _campaign(file: Path) -> list[Series]:
-    sheets = read_sheets(file, ["Tilts", "Weather", "Reflectance_Average", "Reflectance_Sigma"])
-    (names, times, means), (others, other_times, spreads) = (
-        _columns(sheets[s]) for s in ("Reflectance_Average", "Reflectance_Sigma")
-    )
-    tilt_names, _, tilts = _columns(sheets["Tilts"])
-    weather_names, weather_times, weather = _columns(sheets["Weather"])
-    rain = weather[:, weather_names.index("RainIntensity")] if "RainIntensity" in weather_names else None
-    site, day = file.parent.name, file.stem.split("_")[-2]
-    campaign = f"{day[:4]}-{day[4:6]}-{day[6:]}"
-    result = []
-    for column, name in enumerate(names):
-        if name in tilt_names:
-            tilt = float(np.nanmean(tilts[:, tilt_names.index(name)]))
-        elif match := _NAMED_TILT.search(name):
-            tilt = float(match[1])
-        else:
-            continue
-        if name not in others:
-            continue
-        spread = np.interp(times, other_times, spreads[:, others.index(name)])
-        good = np.isfinite(times) & np.isfinite(means[:, column]) & np.isfinite(spread)
-        good &= np.isin(np.round(times, 4), np.round(other_times, 4))
-        if good.sum() < 3:
-            continue
-        t, R = times[good], means[good, column] / 100
-        error = np.hypot(spread[good], RESOLUTION) / 100 / np.sqrt(READINGS)
-        rained = None
-        if rain is not None:
-            wet = weather_times[np.nan_to_num(rain) > 0]
-            rained = np.array([bool(np.any((wet > a) & (wet <= b))) for a, b in pairwise(t)])
-        result.append(Series(site, campaign, name, round(tilt, 1), t - t[0], R, error, rained, float(t[0])))
-    return result
-
-
-def _columns(rows: Sequence[Sequence[Any]]) -> tuple[list[str], Floats, Floats]:
-    """Names of the columns after the first, times (R,), values (R, C); what is not a number is NaN, rows without a time are left out."""
-    header = [str(c) if c is not None else "" for c in rows[0]] if rows else []
-    width = max((k + 1 for k, name in enumerate(header) if name), default=1)
-    table = np.full((max(len(rows) - 1, 0), width), np.nan)
-    for r, row in enumerate(rows[1:]):
-        for c, cell in enumerate(row[:width]):
-            table[r, c] = _number(cell)
-    table = table[np.isfinite(table[:, 0])]
-    return header[1:width], table[:, 0], table[:, 1:]
-
-
-def _number(cell: Cell) -> float:
-    """A number as it is, a date as days in the count of spreadsheets, anything else as NaN."""
-    if isinstance(cell, float):
-        return cell
-    try:
-        moment = datetime.datetime.fromisoformat(cell or "")
-    except ValueError:
-        return np.nan
-    if moment.tzinfo is not None:
-        return np.nan
-    return (moment - datetime.datetime(1899, 12, 30)) / datetime.timedelta(days=1)
