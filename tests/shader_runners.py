@@ -118,8 +118,8 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {{
 def run_hlsl(
     device: Any, shader: Shader, parameters: bytes, wi: Directions, wo: Directions, folder: Path
 ) -> NDArray[np.float32]:
-    """The same for HLSL, which becomes SPIR-V by glslang, and that WGSL by naga."""
-    glslang, naga = tool("glslangValidator"), tool("naga")
+    """The same for HLSL, which becomes SPIR-V by glslang."""
+    glslang = tool("glslangValidator")
     stride = max(3, shader.channels)
     result = f"float f[{stride}]" if shader.channels not in (1, 3) else "float3 f ="
     call = f"{shader.name}(lights[id.x].xyz, viewers[id.x].xyz"
@@ -134,17 +134,16 @@ void main(uint3 id : SV_DispatchThreadID) {{
     for (int c = 0; c < {stride}; ++c) values[id.x * {stride} + c] = f[c];
 }}
 """
-    source, binary, text = (folder / f"run.{suffix}" for suffix in ("hlsl", "spv", "wgsl"))
+    source, binary = folder / "run.hlsl", folder / "run.spv"
     source.write_text(shader.source + main, encoding="utf-8")
     checked(glslang, "-D", "-S", "comp", "-e", "main", "-V", source, "-o", binary)
-    checked(naga, binary, text)
-    return _computed(device, text.read_text(encoding="utf-8"), parameters, wi, wo, stride)
+    return _computed(device, binary.read_bytes(), parameters, wi, wo, stride)
 
 
 def _computed(
-    device: Any, code: str, parameters: bytes, wi: Directions, wo: Directions, stride: int
+    device: Any, code: str | bytes, parameters: bytes, wi: Directions, wo: Directions, stride: int
 ) -> NDArray[np.float32]:
-    """What the entry point ``main`` of a module in WGSL puts into its output."""
+    """What the entry point ``main`` of a module in WGSL or SPIR-V puts into its output."""
     import wgpu
 
     module = device.create_shader_module(code=code)

@@ -62,11 +62,11 @@ def test_wgsl_against_numpy(gpu: Any, name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ALL)
-def test_wgsl_is_valid(name: str, tmp_path: Path) -> None:
-    naga = tool("naga")
-    file = tmp_path / "material.wgsl"
-    file.write_text(wgsl.shader(ALL[name], group=2, binding=3).source, encoding="utf-8")
-    checked(naga, file)
+def test_wgsl_is_valid_elsewhere(gpu: Any, name: str) -> None:
+    """In another group, at another binding: by naga, which is wgpu's compiler."""
+    source = wgsl.shader(ALL[name], group=2, binding=3).source
+    assert "@group(2) @binding(3)" in source
+    gpu.create_shader_module(code=source)
 
 
 @pytest.mark.parametrize("name", ALL)
@@ -82,7 +82,9 @@ def test_glsl_is_valid(name: str, version: str, tmp_path: Path) -> None:
     assert "WARNING" not in checked(validator, file)
 
 
-@pytest.mark.parametrize("name", MODELS)  # arrays in constant buffers do not survive the way through WGSL
+@pytest.mark.parametrize(
+    "name", MODELS
+)  # glslang puts nothing behind the last item of an array, where Direct3D puts the next number
 def test_hlsl_against_numpy(gpu: Any, name: str, tmp_path: Path) -> None:
     model = ALL[name]
     check(name, run_hlsl(gpu, hlsl.shader(model), hlsl.pack(model), WI, WO, tmp_path), expected(model, WI, WO))
