@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shutil
+import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -55,6 +56,20 @@ def kernels(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("MOTES_CACHE", str(folder))
         yield folder
+
+
+@pytest.fixture(scope="module", autouse=True)
+def usual_variant() -> Iterator[None]:
+    """Mitsuba's variant is the process's, and Motes keeps one that is set: what a file chose does not outlive it.
+
+    The scalar variant gives the same numbers, so no test would notice, but for a hundred times the time.
+    """
+    yield
+    if sys.modules.get("mitsuba") is not None:
+        from motes.rendering import llvm, load_mitsuba
+
+        if llvm.prepared().path is not None:
+            load_mitsuba("llvm_ad_rgb")
 
 
 @pytest.fixture(scope="session")
