@@ -9,11 +9,12 @@ import pytest
 
 import motes
 from motes.ageing import PHENOMENA, simulate
-from motes.ageing.phenomena import wet_and_dry
+from motes.ageing.drying import wet_and_dry
 from motes.ageing.rig import Rig
 from motes.directions import from_spherical
 from motes.errors import ParameterError
 from motes.material import Material, load
+from motes.parameters import Role
 
 TIMES = np.array([-2.0, 0.0, 1.0, 5.0, 12.0, 40.0])
 TARGETS = {
@@ -59,8 +60,9 @@ def test_examples_move_what_they_say_and_nothing_else(name: str) -> None:
     before, after = aged.at(0).parameters, aged.at(12).parameters
     changed = {key for key in before if not np.allclose(before[key], after[key], rtol=1e-6)}
     assert changed == set(aged.trends)
-    assert changed <= set(phenomenon.moves)
-    assert changed >= set(phenomenon.moves) - {"w", "g"}
+    roles = {slot.parameter.role for slot in aged.brdf.slots() if slot.name in changed}
+    assert roles <= set(phenomenon.moves)
+    assert roles >= set(phenomenon.moves) - {Role.SINGLE_SCATTERING_ALBEDO, Role.ASYMMETRY}
 
 
 @EACH
@@ -180,7 +182,7 @@ def test_dust_gathers_on_dust_and_on_drying() -> None:
         (lambda: PHENOMENA["drying_paint"](motes.Lambert(0.5), hours=3, K_s_left=(0.1, 0.2)), "shape"),
         (lambda: PHENOMENA["drying_paint"](motes.Lambert(0.5), hours=3, given="middle"), "not start or end"),
         (lambda: PHENOMENA["drying_paint"](motes.Lambert(np.full((4, 1, 3), 0.5)), hours=3), "varies over the surface"),
-        (lambda: PHENOMENA["rusting"](motes.Dust(0.5), hours=3), "neither K_d nor K_s"),
+        (lambda: PHENOMENA["rusting"](motes.Dust(0.5), hours=3), "neither a diffuse colour nor a highlight"),
     ],
 )
 def test_bad_input_is_named(call: object, message: str) -> None:
@@ -193,3 +195,21 @@ def test_channels_get_names() -> None:
     assert aged.channels == ("R", "G", "B")
     assert PHENOMENA["dust"](motes.Lambert(0.1), hours=1).channels == ("grey",)
     assert len(PHENOMENA["dust"](TARGETS["spectral"], hours=1).channels) == 31
+
+
+@pytest.mark.parametrize("name", ["drying_paint", "drying_surface", "rusting"])
+def test_a_strength_that_is_an_energy_ages_as_one_that_is_a_height(name: str) -> None:
+    """The same surface, its highlight normalised to the facets' area or not, is the same surface at all times (narrow facets)."""
+    width, height = 0.03, 0.4
+    printed = motes.Lambert(0.4) + motes.TorranceSparrow(K_s=height, sigma_s=width)
+    energy = height * np.pi * width**2
+    facets = motes.Lambert(0.4) + motes.TorranceSparrow(K_s=energy, sigma_s=width, normalization="facets")
+    given = {"rusting": "start"}.get(name, "end")
+    one, other = (PHENOMENA[name](brdf, hours=10, given=given) for brdf in (printed, facets))
+    mirror = np.array([[0.0, 0.0, 1.0]])
+    moments = (0, 10) if name != "rusting" else (0, 2, 4, 6, 8, 10)
+    for t in moments:
+        np.testing.assert_allclose(
+            one.at(t).eval(mirror, mirror), other.at(t).eval(mirror, mirror), rtol=0.06, err_msg=str(t)
+        )
+    assert one.at(0).eval(mirror, mirror) > 1.1 * one.at(10).eval(mirror, mirror)

@@ -12,6 +12,7 @@ from typing import Any, Self, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from motes.channels import GREY
 from motes.errors import FormatError, MotesError, ParameterError
 from motes.files import write_text
 from motes.models import BRDF, describe, parse
@@ -50,7 +51,7 @@ class Material:
 
     brdf: BRDF
     name: str = "material"
-    channels: tuple[str, ...] = ("grey",)
+    channels: tuple[str, ...] = GREY
     wavelengths: tuple[float, ...] = ()
     trends: Mapping[str, AnyTrend] = field(default_factory=dict)
     about: Mapping[str, Any] = field(default_factory=dict)
@@ -141,7 +142,7 @@ class Material:
             return cls(
                 brdf=brdf,
                 name=str(data.get("name", "material")),
-                channels=tuple(str(c) for c in data.get("channels", ("grey",))),
+                channels=tuple(str(c) for c in data.get("channels", GREY)),
                 wavelengths=tuple(float(w) for w in data.get("wavelengths_nm", ())),
                 trends={str(name): trend_from_dict(t) for name, t in dict(data.get("trends", {})).items()},
                 about=dict(data.get("about", {})),

@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 
 from motes.arrays import Array
-from motes.models import BRDF
 from motes.parameters import Slot
 from motes.trends import KINDS, AnyTrend, Tabulated, Trend
 
@@ -96,11 +95,6 @@ def carried(trend: AnyTrend, reference: Any, value: Any, rule: str, bounds: Inte
 
 def _plain(value: Any) -> Any:
     return float(value) if np.ndim(value) == 0 else np.asarray(value, float)
-
-
-def named(brdf: BRDF, name: str) -> tuple[Slot, ...]:
-    """The slots of all parameters declared as `name`: K_s and K_s_2 for two lobes."""
-    return tuple(slot for slot in brdf.slots() if slot.parameter.name == name)
 
 
 def is_map(slot: Slot) -> bool:

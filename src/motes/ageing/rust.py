@@ -15,6 +15,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
+from motes.channels import RGB
 from motes.errors import ParameterError
 from motes.material import Material
 from motes.measurements.parameter_maps import ParameterMaps
@@ -160,4 +161,4 @@ def rusting_material(
     else:
         about["steps_without_roughness"] = int((R <= 0).sum())
     label = name or (f"{maps.name}, mean" if texel is None else f"{maps.name}, texel {texel[0]}, {texel[1]}")
-    return Material(brdf, label, ("R", "G", "B"), (), trends, about)
+    return Material(brdf, label, RGB, (), trends, about)

@@ -15,32 +15,26 @@ rusting     K_d, sigma_s difference; K_s ratio  rust grows *on* the metal: it ad
 ==========  ==================================  ============================================================================================
 
 The rule holds with respect to one moment, at which the target is what it is (``given``); there the result equals the target.  All else of the target
-(``sigma_d``, the Fresnel term, further trends) stays.  Covariances are not carried: they are those of the source's data, and say nothing of the target.
+(``sigma_d``, the Fresnel term, further trends) stays.  Parameters are known by their roles: the names above stand for those of any model.
+Covariances are not carried: they are those of the source's data, and say nothing of the target.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
 
-from motes.ageing.carrying import Interval, carried, grey, mapped, meaned, named, stretched
-from motes.ageing.phenomena import (
-    Aged,
-    Phenomenon,
-    anchored,
-    as_material,
-    dusted,
-    finished,
-    interval_of,
-    phenomenon,
-    tau_slot,
-    with_highlight,
-)
+from motes.ageing.carrying import Interval, carried, grey, mapped, meaned, stretched
+from motes.ageing.highlights import with_highlight
+from motes.ageing.phenomena import phenomenon
+from motes.ageing.phenomenon import Aged, Phenomenon, anchored, as_material, finished, interval_of
+from motes.ageing.settling import OWN, dusted
 from motes.errors import ParameterError
 from motes.material import Material
-from motes.models import BRDF, Dust, DustLayer, TorranceSparrow
+from motes.models import BRDF, TorranceSparrow, layer_of
+from motes.parameters import Role
 from motes.trends import AnyTrend, Tabulated
 
 
@@ -100,7 +94,7 @@ def age(
             f"the source is a {type(source).__name__}, not a material",
             "Give a material that motes fit wrote from several scans",
         )
-    allowed = ("w", "g") if what.name == "dust" else ()
+    allowed = tuple(OWN) if Role.DEPTH in what.moves else ()
     unknown = [name for name in overrides if name not in allowed]
     if unknown:
         raise ParameterError(
@@ -118,27 +112,31 @@ def age(
     brdf = anchored(target, interval, given, what.moves)
     moving = _moving(origin, what)
     values = {name: what.options[name].checked(what.name, name, v) for name, v in overrides.items() if v is not None}
-    if what.name == "dust":
-        aged = _dust(target, brdf, origin, moving, observed, interval, values)
+    if Role.DEPTH in what.moves:
+        aged = _dust(target, brdf, origin, observed, interval, values)
     else:
         aged = _surface(target, brdf, origin, what, moving, observed, interval, given)
     step = {"phenomenon": what.name, "given": given, "source": source.name, "source_hours": list(observed)}
     return finished(target, aged, interval, step)
 
 
-def _moving(source: Material, what: Phenomenon) -> dict[str, str]:
-    """Parameter -> the source's slot that follows a trend: the first lobe, and the dust on top, that has one."""
+def _moving(source: Material, what: Phenomenon) -> dict[Role, str]:
+    """Role -> the source's slot that follows a trend: the first lobe, and the dust on top, that has one."""
     moving = {}
-    for name in what.moves:
-        slots = [slot.name for slot in named(source.brdf, name) if slot.name in source.trends]
+    for role in what.moves:
+        slots = [slot.name for slot in source.brdf.slots(role) if slot.name in source.trends]
         if slots:
-            moving[name] = slots[0]
+            moving[role] = slots[0]
     if not moving:
         raise ParameterError(
-            f"nothing of {what.name} follows time in {source.name}: it would have to be {', '.join(what.moves)}",
+            f"nothing of {what.name} follows time in {source.name}: it would have to be the {_listed(what.moves)}",
             f"Its trends are {', '.join(source.trends)}",
         )
     return moving
+
+
+def _listed(roles: Iterable[Role]) -> str:
+    return ", the ".join(role.value for role in roles)
 
 
 def _same_channels(target: Material, source: Material) -> bool:
@@ -152,7 +150,7 @@ def _surface(
     brdf: BRDF,
     source: Material,
     what: Phenomenon,
-    moving: Mapping[str, str],
+    moving: Mapping[Role, str],
     observed: Interval,
     interval: Interval,
     given: str,
@@ -161,23 +159,23 @@ def _surface(
     then = {slot.name: slot.value for slot in source.at(moment).slots()}
     notes: list[str] = []
     added = False
-    if {"K_s", "sigma_s"} & set(moving):
-        sigma_s = named(source.brdf, "sigma_s")[0]
-        brdf, added = with_highlight(brdf, TorranceSparrow(K_s=0.0, sigma_s=grey(then[sigma_s.name])))
+    widths = source.brdf.slots(Role.HIGHLIGHT_WIDTH)
+    if set(_HIGHLIGHT) & set(moving) and widths:
+        brdf, added = with_highlight(brdf, TorranceSparrow(K_s=0.0, sigma_s=grey(then[widths[0].name])))
         if added:
             notes.append("the target has no highlight: it was given that of the source, as it is")
     trends: dict[str, AnyTrend] = {}
     averaged = False
-    for name, origin in moving.items():
-        for slot in named(brdf, name):
+    for role, origin in moving.items():
+        for slot in brdf.slots(role):
             trend, reference, value = stretched(source.trends[origin], interval, observed), then[origin], slot.value
             if np.ndim(reference) and not _same_channels(target, source):
                 # The mean over the channels stands for all: channels of different names are not the same light.
                 trend, reference, averaged = meaned(trend), grey(reference), True
-            rule = what.rules[name]
-            if added and name in ("K_s", "sigma_s"):
+            rule = what.rules[role]
+            if added and role in _HIGHLIGHT:
                 rule = "absolute"
-            elif name == "K_s" and given == "end" and rule == "ratio":
+            elif role is Role.HIGHLIGHT_STRENGTH and given == "end" and rule == "ratio":
                 rule = "difference"
             if np.ndim(value) and not np.ndim(reference):  # the target has channels and the source one value for all
                 reference = np.broadcast_to(reference, np.shape(value))
@@ -188,18 +186,21 @@ def _surface(
     if averaged:
         listed = ", ".join(source.channels[:4]) + (", ..." if len(source.channels) > 4 else "")
         notes.append(f"the mean over the source's channels ({listed}) stands for those of the target")
-    still = [name for name in what.moves if name not in moving]
+    still = [role for role in what.moves if role not in moving]
     if still:
-        notes.append(f"{', '.join(still)} does not follow time in the source, and stays")
-    absent = [name for name in moving if not named(brdf, name)]
+        notes.append(f"the {_listed(still)} does not follow time in the source, and stays")
+    absent = [role.value for role in moving if not brdf.slots(role)]
     if absent:
-        notes.append(f"the target has no {', '.join(absent)}")
+        notes.append(f"the target has no {', no '.join(absent)}")
     if not trends:
         raise ParameterError(
-            f"{target.name} has none of the parameters that move: {', '.join(moving)}",
+            f"{target.name} has none of the parameters that move: the {_listed(moving)}",
             "Choose another target or source",
         )
     return Aged(brdf, trends, notes)
+
+
+_HIGHLIGHT = (Role.HIGHLIGHT_STRENGTH, Role.HIGHLIGHT_WIDTH)
 
 
 def _broadened(trend: AnyTrend, channels: int) -> AnyTrend:
@@ -214,31 +215,31 @@ def _dust(
     target: Material,
     brdf: BRDF,
     source: Material,
-    moving: Mapping[str, str],
     observed: Interval,
     interval: Interval,
     given: Mapping[str, Any],
 ) -> Aged:
-    if "tau" not in moving or not isinstance(source.brdf, DustLayer):
+    above = layer_of(source.brdf)
+    if above is None or above.depth.name not in source.trends:
         raise ParameterError(
             f"{source.name} has no layer of dust on top whose tau follows time", "Fit it as dust_layer(...)"
         )
     notes, dust = [], dict(given)
-    for name in ("w", "g"):
-        if name in dust:
+    first = source.at(observed[0]).parameters
+    for name, role in OWN.items():
+        slot = above.slot(role)
+        if name in dust or slot is None:
             continue
-        slot = next(s for s in source.brdf.slots() if s.path == ("dust", name))
-        value = next(s.value for s in source.at(observed[0]).slots() if s.path == ("dust", name))
+        value = first[slot.name]
         if slot.name in source.trends:
             notes.append(f"{name} follows time in the source; its first value was taken")
         if np.ndim(value) and not _same_channels(target, source):
             value = grey(value)
             notes.append(f"{name} is the mean over the source's channels")
         dust[name] = value
-    layer, added = dusted(brdf, dust["w"], dust["g"])
-    layer = DustLayer(layer.base, Dust(w=dust["w"], g=dust["g"]), layer.tau)
-    trend = stretched(source.trends[tau_slot(source.brdf)], interval, observed)
+    layer, added = dusted(brdf, dust.get("w"), dust.get("g"))
+    trend = stretched(source.trends[above.depth.name], interval, observed)
     moved, _ = carried(trend, 0.0, 0.0, "absolute", (0.0, np.inf))
     notes.append("a layer of dust was laid over the target" if added else "the target's own dust was replaced")
     notes.append("tau, w and g as in the source; the base does not change")
-    return Aged(layer, {tau_slot(layer): moved}, notes)
+    return Aged(layer.whole, {layer.depth.name: moved}, notes)

@@ -11,6 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from motes.channels import colours_of
+
 Floats = NDArray[np.floating[Any]]
 
 # XYZ (D65 white) to linear sRGB: IEC 61966-2-1.
@@ -73,13 +75,9 @@ def channels_to_srgb(channels: Sequence[str], wavelengths: ArrayLike | None = No
         (C,) [nm], increasing, or None.
     """
     n = len(channels)
-    initials = [name.strip().lower() for name in channels]
-    for names in (("r", "g", "b"), ("red", "green", "blue")):
-        if n == 3 and set(initials) == set(names):
-            matrix = np.zeros((3, 3))
-            for k, name in enumerate(initials):
-                matrix[k, names.index(name)] = 1
-            return ColorOf(matrix, "R, G and B are shown as linear sRGB")
+    colours = colours_of(channels)
+    if colours is not None:
+        return ColorOf(np.eye(3)[list(colours)], "R, G and B are shown as linear sRGB")
     if wavelengths is not None and n >= 3:
         nm = np.asarray(wavelengths, np.float64)
         # Weights of the trapezoid rule, the ends standing for as much on their outer side.

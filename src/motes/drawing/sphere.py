@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from motes import directions
+from motes.channels import default_names
 from motes.drawing.colour import Floats, channels_to_srgb, srgb_encode
 from motes.models import BRDF
 
@@ -181,7 +182,7 @@ def render_sphere(
     ([255, 255, 255, 255], [0, 0, 0, 0])
     """
     if channels is None:
-        channels = {1: ("grey",), 3: ("R", "G", "B")}.get(brdf.channels) or tuple(map(str, range(brdf.channels)))
+        channels = default_names(brdf.channels)
     matrix = channels_to_srgb(channels, wavelengths).matrix
     radiance, coverage = sphere_radiance(brdf, size, light=light, dome=dome, samples=samples)
     rgb = np.broadcast_to(radiance, (size, size, len(matrix))) @ matrix

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from motes.channels import numbered, spectral_names
 from motes.directions import from_spherical
 from motes.exports.shaders import plain, source_of_equations
 from motes.exports.subject import Subject
@@ -71,8 +72,8 @@ def write(moments: Sequence[tuple[float | None, Subject]], path: Path) -> list[P
 def headings(subject: Subject) -> list[str]:
     """Names of the columns of values: wavelengths where there are any, else the channels, as far as a header can hold them."""
     if subject.wavelengths:
-        return [f"{w:g} nm" for w in subject.wavelengths]
+        return list(spectral_names(subject.wavelengths))
     names = [re.sub(r"[^\w .-]", "", plain(name)).strip() for name in subject.channels]
     if len(set(names)) < len(names) or any(_TAKEN.fullmatch(name) for name in names):
-        return [f"channel {k}" for k in range(1, len(names) + 1)]
+        return list(numbered(len(names)))
     return names

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from motes.channels import default_names, names_or_default
 from motes.errors import DataError, ParameterError
 from motes.material import Material
 from motes.models import BRDF, describe
@@ -85,7 +86,7 @@ def subject(material: Any, hours: float | None = None) -> Subject:
         When `material` is neither, or a moment is given for one that does not change.
     """
     if isinstance(material, BRDF):
-        material = Material(material, channels=default_channels(material.channels))
+        material = Material(material, channels=default_names(material.channels))
     if not isinstance(material, Material):
         raise ParameterError(
             f"a {type(material).__name__} is neither a material nor a BRDF", "motes.load reads a material from its file"
@@ -114,14 +115,8 @@ def subject(material: Any, hours: float | None = None) -> Subject:
     )
 
 
-def default_channels(count: int) -> tuple[str, ...]:
-    """Names for channels that have none."""
-    return {1: ("grey",), 3: ("R", "G", "B")}.get(count) or tuple(f"channel {k}" for k in range(1, count + 1))
-
-
 def _channels(material: Material) -> tuple[str, ...]:
-    count = material.brdf.channels
-    return material.channels if len(material.channels) == count else default_channels(count)
+    return names_or_default(material.channels, material.brdf.channels)
 
 
 def as_rgb(values: Any) -> np.ndarray:

@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from motes.channels import LUMINANCE, RGB
 from motes.errors import FormatError, MissingExtraError
 from motes.files import reading
 
@@ -103,7 +104,7 @@ def _quiet() -> Iterator[None]:
 def rgb(path: Path, purpose: str) -> NDArray[np.float32]:
     """R, G and B (height, width, 3); a grey channel Y serves for all three."""
     channels = read(path, purpose)
-    names = ["R", "G", "B"] if "R" in channels else ["Y", "Y", "Y"]
+    names = RGB if RGB[0] in channels else (LUMINANCE,) * 3
     if not all(n in channels for n in names):
         raise FormatError(f"{path} has the channels {', '.join(channels)[:100]}", "R, G and B (or Y) are needed")
     return np.stack([channels[n] for n in names], axis=-1)

@@ -89,9 +89,3 @@ def check(wi: Floats, wo: Floats, hours: Floats, channels: int, where: object) -
     if hours.ndim != 1 or not len(hours) or not np.isfinite(hours).all() or (np.diff(hours) <= 0).any():
         shown = np.array2string(hours, threshold=8)
         raise DataError(f"{where}: the times {shown} do not increase", "Give one time [h] a scan, in order")
-
-
-def channel_names(names: Any, count: int) -> tuple[str, ...]:
-    if isinstance(names, (list, tuple)) and len(names) == count:
-        return tuple(str(n) for n in names)
-    return ("grey",) if count == 1 else ("R", "G", "B") if count == 3 else tuple(f"channel {k}" for k in range(count))

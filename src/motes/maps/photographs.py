@@ -25,6 +25,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from motes.channels import LUMINANCE, RGB, default_names
 from motes.errors import FormatError, MotesError
 from motes.images import exr as _exr
 from motes.images import png as _png
@@ -90,7 +91,7 @@ def import_images(
         union[:, :3],
         union[:, 3:],
         hours=times,
-        channels=("R", "G", "B") if channels == 3 else ("grey",),
+        channels=default_names(channels),
         chunk=chunk,
         name=source.resolve().name,
         attributes={
@@ -124,7 +125,7 @@ def picture(path: Path, linear: bool) -> Singles:
     try:
         if path.suffix.lower() == ".exr":
             channels = _exr.read(path, "Reading pictures")
-            names = next((n for n in (["R", "G", "B"], ["Y"]) if set(n) <= set(channels)), sorted(channels)[:1])
+            names = next((n for n in (RGB, (LUMINANCE,)) if set(n) <= set(channels)), sorted(channels)[:1])
             values = np.stack([channels[n] for n in names], axis=-1)
             values[~np.isfinite(values)] = np.nan
             return values

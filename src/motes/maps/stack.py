@@ -13,10 +13,11 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from motes.channels import RGB, names_or_default
 from motes.errors import DataError, FormatError, ParameterError
 from motes.maps import zarrs
 from motes.maps.blocks import Blocks, block_shape
-from motes.maps.opening import AXES, NAME, channel_names, check, hours_of, reflectance, vectors
+from motes.maps.opening import AXES, NAME, check, hours_of, reflectance, vectors
 from motes.measurements import policy
 
 Singles = NDArray[np.float32]
@@ -175,7 +176,7 @@ def create_map(
     wo: ArrayLike,
     *,
     hours: ArrayLike = (0.0,),
-    channels: Sequence[str] = ("R", "G", "B"),
+    channels: Sequence[str] = RGB,
     wavelengths: ArrayLike | None = None,
     weights: ArrayLike | None = None,
     chunk: int | tuple[int, int] = 64,
@@ -280,7 +281,7 @@ def open_stack(path: object, mode: str = "r") -> MapStack:
     hours = hours_of(members.get("time"), array.shape[2], folder)
     check(wi, wo, hours, array.shape[4], folder)
     names = group.attrs.get("channels")
-    channels = channel_names(names, array.shape[4])
+    channels = names_or_default(names, array.shape[4])
     weight = members.get("weight")
     weights = None if weight is None else zarrs.numbers(weight, folder)
     if weights is not None and (weights.shape != (len(wi),) or not (np.isfinite(weights) & (weights >= 0)).all()):

@@ -31,7 +31,8 @@ from typing import Any, NamedTuple, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from motes.ageing.phenomena import PHENOMENA, Option
+from motes.ageing.phenomena import PHENOMENA
+from motes.ageing.phenomenon import Option
 from motes.errors import MotesError, ParameterError
 from motes.material import Material
 from motes.meshes.mesh import Mesh, unit

@@ -8,13 +8,14 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from motes.channels import colours_of
 from motes.drawing.colour import hex_color
 from motes.drawing.markup import Html, tag
 from motes.fitting.result import Fit
 
 # The Okabe-Ito colours that are dark enough for lines, as custom properties of the page.
 PALETTE = ("--blue", "--vermilion", "--green", "--purple")
-RGB_COLORS = {"r": "--vermilion", "g": "--green", "b": "--blue"}
+RGB_COLORS = ("--vermilion", "--green", "--blue")
 #: Ticks of axes of angles.
 DEGREES = tuple(range(-90, 91, 30))
 
@@ -33,10 +34,9 @@ def shown_channels(fit: Fit) -> list[Shown]:
     usable = [c for c in range(data.n_channels) if data.mask[0, :, c].any()]
     names = data.channels
     if len(usable) <= 4:
-        colors = [RGB_COLORS.get(names[c][:1].lower()) if data.n_channels == 3 else None for c in usable]
-        if None in colors or len(set(colors)) < len(colors):
-            colors = list(PALETTE[: len(usable)])
-        return [Shown(c, names[c], str(color)) for c, color in zip(usable, colors, strict=True)]
+        known = colours_of(names)
+        colors = PALETTE if known is None else [RGB_COLORS[known[c]] for c in usable]
+        return [Shown(c, names[c], color) for c, color in zip(usable, colors, strict=False)]
     picks = [usable[0], usable[len(usable) // 2], usable[-1]]
     if data.wavelengths is not None:
         nearest = [usable[int(np.argmin(np.abs(data.wavelengths[usable] - nm)))] for nm in (450, 550, 650)]

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
+from motes.channels import names_or_default
 from motes.drawing.colour import channels_to_srgb, data_uri, png, srgb_encode
 from motes.drawing.markup import Html, join, tag
 from motes.drawing.sphere import LIGHTS, sphere_radiances
@@ -106,7 +107,7 @@ def _pictures(material: Material) -> Html:
     figures = []
     for words, hours in moments:
         brdf = material.brdf if hours is None else material.at(hours)
-        names = material.channels if len(material.channels) == brdf.channels else tuple("?" * brdf.channels)
+        names = names_or_default(material.channels, brdf.channels)
         matrix = channels_to_srgb(names, material.wavelengths or None).matrix
         lamps = [light for light in LIGHTS.values() if light.name != "back"]
         radiances, coverage = sphere_radiances(brdf, PICTURE_SIZE, [light.name for light in lamps])

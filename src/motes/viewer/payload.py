@@ -9,10 +9,11 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from motes.channels import default_names
 from motes.drawing.colour import channels_to_srgb
 from motes.errors import DataError, ParameterError
 from motes.exports import glsl
-from motes.exports.subject import default_channels, subject
+from motes.exports.subject import subject
 from motes.fitting.result import Fit
 from motes.material import Material
 from motes.measurements import Measurement
@@ -82,7 +83,7 @@ def payload(
 def as_material(what: Material | BRDF) -> Material:
     """A BRDF as a material, with names for its channels."""
     if isinstance(what, BRDF):
-        return Material(what, channels=default_channels(what.channels))
+        return Material(what, channels=default_names(what.channels))
     return what
 
 
