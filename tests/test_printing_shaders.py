@@ -68,6 +68,7 @@ def Tilt(xp, theta_h, sigma_s):
 def test_names_are_unique_and_not_reserved(name: str) -> None:
     shader = glsl.shader(ALL[name])
     function = shader.source[shader.source.index("motes_eval_with(") :]
+    assert all(found.text.isidentifier() for found in record(ALL[name]).names.values())
     names = declared(function)
     assert len(names) == len(set(names))
     assert not set(names) & set(glsl_language.language("300 es").reserved)
@@ -97,6 +98,25 @@ def test_a_long_equation_is_one_function() -> None:
     assert source.count("float motes_facet_area(float sigma_s) {") == 1
     assert "motes_facet_area(sigma_s) " in source
     assert "motes_facet_area(sigma_s_2) " in source
+
+
+def test_what_a_lambda_or_a_comprehension_computes_is_not_named_for_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    exec(compile(_SOURCE_OF_NAMELESS, motes.equations.__file__, "exec"), motes.equations.__dict__)
+    try:
+        monkeypatch.setattr(motes.equations, "D", motes.equations.__dict__["Nameless"])
+        names = {found.text for found in record(MODELS["torrance_sparrow"]).names.values()}
+    finally:
+        del motes.equations.__dict__["Nameless"]
+    assert "Nameless" in names
+    assert all(name.isidentifier() for name in names)
+
+
+_SOURCE_OF_NAMELESS = """
+def Nameless(xp, theta_h, sigma_s):
+    slopes = tuple(xp.minimum(t, 9.0) / sigma_s for t in (theta_h, theta_h + 1))
+    square = lambda x: x * x
+    return xp.exp(-square(slopes[0])) + 0.01 * xp.exp(-square(slopes[1]))
+"""
 
 
 def test_recording_leaves_the_profiler_as_it_was() -> None:

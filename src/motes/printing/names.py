@@ -90,6 +90,8 @@ def _listening() -> Iterator[dict[Symbol, tuple[int, Name]]]:
             return
         if code.co_name == "above_horizon":  # the result itself
             return
+        if not code.co_name.isidentifier():  # <lambda>, <genexpr>: what they give is named by whoever keeps it
+            return
         arguments = code.co_varnames[: code.co_argcount]
         for variable, symbol in frame.f_locals.items():
             if variable not in arguments:
