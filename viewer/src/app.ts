@@ -1,26 +1,26 @@
 // The viewer: what it is made of, and how a change reaches all of it.
 
-import type { BufferGeometry } from 'three';
 import { Agreement } from './agreement';
-import { button, Choice, section, Slider, Switch } from './controls';
-import { clamp, h, tidy } from './dom';
-import { accept, open } from './drop';
+import { button, section } from './controls';
+import { h } from './dom';
+import { accept, fileButton } from './drop';
 import { radianceMap } from './environment';
 import type { Payload } from './generated';
 import { Lobe } from './lobe';
-import { fromJson, fromView, toJson, valuesAt, type Material, type Values } from './material';
-import { fromView as pointsFrom, type Measurement } from './measurement';
-import { readMesh } from './meshfiles';
+import type { Material, Values } from './material';
+import { commonIncidence, fromView as pointsFrom, type Measurement } from './measurement';
+import { Meshes } from './meshes';
 import { Messages } from './messages';
 import { orbit } from './orbit';
+import { Pair } from './pair';
 import { Parameters } from './parameters';
 import { Probe } from './probe';
 import { Problem } from './problem';
 import { Reflection } from './reflection';
 import { Picture } from './scene';
-import { embedded, prepared } from './shapes';
-import { decode, encode, initial, merged, RANGES, Store, type State } from './state';
-import { copy, pictureOf, save, slug } from './takeaway';
+import { Settings } from './settings';
+import { decode, encode, initial, merged, Store, type State } from './state';
+import { takeawaySection } from './takeaway';
 import { Transport } from './transport';
 import { Trends } from './trends';
 
@@ -30,7 +30,6 @@ export interface Host {
   changed?: (state: State) => void;
 }
 
-const SHAPES: Record<string, string> = { sphere: 'Sphere', teapot: 'Teapot', bunny: 'Bunny' };
 const LARGEST_RATIO = 2;
 
 export class App {
@@ -42,10 +41,9 @@ export class App {
   /** Milliseconds from the start of the page to the first picture. */
   firstPicture = 0;
   data: Measurement | null = null;
-  private readonly own: (Material | null)[];
-  private materials: (Material | null)[];
-  /** Meshes by name; those of the page are unpacked when they are first looked at. */
-  private readonly geometries = new Map<string, BufferGeometry | null>();
+  private readonly pair: Pair;
+  private readonly meshes: Meshes;
+  private readonly settings: Settings;
   private readonly canvas: HTMLCanvasElement;
   private readonly stage: HTMLElement;
   private readonly title = h('h1');
@@ -56,7 +54,6 @@ export class App {
   private readonly agreement: Agreement;
   private readonly trends = new Trends();
   private readonly transport: Transport;
-  private readonly followers: ((state: State) => void)[] = [];
   private readonly names = [h('span', { class: 'motes-name left' }), h('span', { class: 'motes-name right' })];
   private readonly progress = h('span', { class: 'motes-progress' });
   private readonly tabs = h('div', { class: 'motes-tabs', role: 'group', 'aria-label': 'Which material' });
@@ -74,12 +71,10 @@ export class App {
     private readonly payload: Payload,
     private readonly host: Host,
   ) {
-    this.own = [fromView(payload.materials[0]!), payload.materials[1] ? fromView(payload.materials[1]) : null];
-    this.materials = [...this.own];
+    this.pair = new Pair(payload);
+    this.meshes = new Meshes(payload.shapes);
     this.data = payload.measurement ? pointsFrom(payload.measurement) : null;
-    for (const view of payload.shapes.shapes) this.geometries.set(view.name, null);
-    const first = this.materials.map((material) => material?.time?.interval[0]).find((hours) => hours !== undefined);
-    this.start = initial(payload.shapes.shapes[0]!.name, first ?? 0, this.own[1] !== null);
+    this.start = initial(payload.shapes.shapes[0]!.name, this.pair.firstHours ?? 0, this.pair.cameWithTwo);
     if (this.data) this.start.incidence = commonIncidence(this.data);
     this.store = new Store(structuredClone(this.start));
     this.canvas = h('canvas', { tabindex: 0, role: 'application', 'aria-label': 'The material on a shape. Arrow keys turn it, with Shift the lamp; plus and minus zoom; Space plays time.' });
@@ -94,6 +89,7 @@ export class App {
     this.agreementSection = section('Measured and computed', true, this.agreement.element);
     this.trendSection = section('Over time', true, this.trends.element);
     this.stage = h('div', { class: 'motes-stage' }, this.canvas, ...this.names, this.splitLine, this.progress);
+    this.settings = new Settings(this.store, this.start, this.messages.fail, this.meshes, this.pair, fileButton('Open second material…', '.json', this, true));
     this.build();
     orbit(this.canvas, this.store);
     this.canvas.addEventListener('keydown', (event) => {
@@ -112,25 +108,23 @@ export class App {
       addEventListener('hashchange', () => this.restore(), { signal: this.stop.signal });
     }
     this.rebuild();
-    this.follow(new Set(Object.keys(this.store.state) as (keyof State)[]));
+    this.followAll();
   }
 
   // ---------------------------------------------------------------- what others ask for
 
   /** The material at a place, 0 or 1. */
   material(index: number): Material | null {
-    return this.materials[index] ?? null;
+    return this.pair.at(index);
   }
 
   values(index: number): Values {
-    const material = this.materials[index];
-    const { state } = this.store;
-    return material ? valuesAt(material, material.time ? state.hours : null, state.values[index as 0 | 1]) : {};
+    return this.pair.values(this.store.state, index);
   }
 
   /** The BRDF [1/sr] of the present values, from the shader. */
   evaluate(index: number, wi: ArrayLike<number>, wo: ArrayLike<number>): Float32Array {
-    const material = this.materials[index];
+    const material = this.pair.at(index);
     if (!material) throw new Problem(`There is no material ${index}`, 'Open a second one');
     return this.probe.evaluate(material, this.values(index), wi, wo);
   }
@@ -147,12 +141,12 @@ export class App {
   /** Show a material's JSON, in place of the active one or as the second. */
   openMaterial(json: unknown, second: boolean): void {
     const index = second ? 1 : this.store.state.active;
-    const { material, notes } = fromJson(json, this.payload.library);
+    const { material, notes } = this.pair.read(json);
     const dropped: [unknown, unknown] = [...this.store.state.dropped];
     const values: [Values, Values] = [...this.store.state.values];
     dropped[index] = json;
     values[index as 0 | 1] = {};
-    const hours = material.time && !this.interval ? material.time.interval[0] : this.store.state.hours;
+    const hours = material.time && !this.pair.interval(this.store.state) ? material.time.interval[0] : this.store.state.hours;
     this.store.change({ dropped, values, hours, ...(index === 1 ? { compare: this.store.state.compare === 'one' ? 'split' : this.store.state.compare } : {}) });
     this.messages.say([`${material.name} is shown: ${material.json.model}`, ...notes].join('. '));
   }
@@ -165,11 +159,8 @@ export class App {
   }
 
   openMesh(name: string, data: ArrayBuffer): void {
-    const geometry = prepared(readMesh(name, data), this.payload.shapes.dust_by_inclination);
-    this.geometries.get(name)?.dispose();
-    this.geometries.set(name, geometry);
-    const count = (geometry.getIndex()!.count / 3).toLocaleString('en');
-    this.messages.say(`${name} is shown: ${count} triangles`);
+    const triangles = this.meshes.add(name, data);
+    this.messages.say(`${name} is shown: ${triangles.toLocaleString('en')} triangles`);
     this.store.change({ shape: name });
     this.followAll();
   }
@@ -189,100 +180,14 @@ export class App {
     this.stop.abort();
     this.transport.pause();
     this.picture.dispose();
-    for (const geometry of this.geometries.values()) geometry?.dispose();
+    this.meshes.dispose();
   }
 
   // ---------------------------------------------------------------- construction
 
   private build(): void {
-    const { store } = this;
-    const change = (patch: Partial<State>): void => store.change(patch);
-    const shape = new Choice('Shape', [], (value) => change({ shape: value }));
-    this.followers.push((state) => {
-      shape.fill([...this.geometries.keys()].map((name) => [name, SHAPES[name] ?? name] as const));
-      shape.show(state.shape);
-    });
-    const slider = (label: string, key: keyof typeof RANGES, extra: { symbol?: string; unit?: string; step?: number } = {}): HTMLElement => {
-      const made = new Slider({ label, ...extra, ...RANGES[key], set: (value) => change({ [key]: within(label, value, key) }), reset: () => change({ [key]: this.start[key] }) }, this.messages.fail);
-      this.followers.push((state) => made.show(state[key], state[key] !== this.start[key]));
-      return made.element;
-    };
-    const choice = (label: string, key: 'environment' | 'tone' | 'compare', options: [string, string][]): HTMLElement => {
-      const made = new Choice(label, options, (value) => change({ [key]: value }));
-      this.followers.push((state) => made.show(state[key]));
-      return made.element;
-    };
-    const onOff = (label: string, key: 'dust' | 'lobe' | 'backdrop', hint: string): HTMLElement => {
-      const made = new Switch(label, (on) => change({ [key]: on }), hint);
-      this.followers.push((state) => made.show(state[key]));
-      return made.element;
-    };
-    const dust = onOff('Dust lies where it settles', 'dust', 'tau by inclination and shelter instead of the same everywhere');
-    this.followers.push(() => (dust.hidden = !this.materials.some((material) => material?.tau)));
-    const scene = section(
-      'Scene',
-      true,
-      h('div', { class: 'motes-pair' }, shape.element, choice('Surroundings', 'environment', [['studio', 'Studio'], ['sky', 'Sky'], ['dome', 'White dome'], ['none', 'Nothing']])),
-      slider('lamp', 'lamp', { step: 0.05 }),
-      slider('lamp azimuth', 'lampAzimuth', { unit: '°', step: 1 }),
-      slider('lamp height', 'lampElevation', { unit: '°', step: 1 }),
-      slider('surroundings', 'sky', { step: 0.05 }),
-      slider('exposure', 'exposure', { unit: 'EV', step: 0.1 }),
-      choice('Tone mapping', 'tone', [['neutral', 'Khronos PBR Neutral'], ['agx', 'AgX'], ['clip', 'Clip at 1']]),
-      dust,
-      onOff('Lobe in the corner', 'lobe', 'The BRDF in three dimensions'),
-      onOff('Surroundings behind', 'backdrop', 'Show the environment as the background'),
-      h('p', { class: 'motes-caption' }, 'Drag to turn, Shift-drag to move the lamp, scroll to zoom. The lamp is a point; light from the surroundings is the sum over up to 1,024 directions, finished some frames after the last change. Nothing casts shadows.'),
-    );
-    const compareNote = h('p', { class: 'motes-caption' });
-    const comparison = choice('Show', 'compare', [['one', 'One material'], ['split', 'Two, split'], ['side', 'Two, side by side']]);
-    const cut = slider('where it is split', 'split', { step: 0.01 });
-    this.followers.push((state) => {
-      const two = this.materials[1] !== null;
-      comparison.querySelector('select')!.disabled = !two;
-      cut.hidden = !two || state.compare !== 'split';
-      compareNote.textContent = two ? `Left: ${this.materials[0]!.name}. Right: ${this.materials[1]!.name}.` : 'Open a second material (a material.json) to compare.';
-    });
-    const second = this.fileButton('Open second material…', '.json', true);
-    const compare = section('Compare', this.own[1] !== null, comparison, cut, compareNote, second);
-    const active = (): { material: Material; values: Values; held: Values } => {
-      const index = store.state.active;
-      return { material: this.materials[index]!, values: this.values(index), held: store.state.values[index as 0 | 1] };
-    };
-    const json = (): string => {
-      const { material, values, held } = active();
-      return `${JSON.stringify(toJson(material, values, held, material.time ? store.state.hours : null), null, 1)}\n`;
-    };
-    const copied = (what: string, text: () => string) => (): void => {
-      copy(text()).then(() => this.messages.say(`${what} is copied`), this.messages.fail);
-    };
-    const takeaway = section(
-      'Take away',
-      true,
-      h(
-        'div',
-        { class: 'motes-buttons' },
-        button('Copy material', copied('The material', json)),
-        button('Save material', () => save(`${slug(active().material.name)}.json`, json(), 'application/json')),
-        button('Copy shader', copied('The shader', () => active().material.shader.source)),
-        button('Save shader', () => save(`${slug(active().material.name)}.glsl`, active().material.shader.source)),
-        button('Save picture', () => void pictureOf(this.canvas).then((blob) => save(`${slug(active().material.name)}.png`, blob), this.messages.fail)),
-        this.host.link
-          ? button('Copy link', () => {
-              const address = this.link();
-              try {
-                history.replaceState(null, '', address);
-              } catch {
-                // Some browsers refuse for files; the link itself is copied all the same.
-              }
-              copied('The link, which restores what you see,', () => address)();
-            })
-          : null,
-        this.fileButton('Open file…', '.json,.csv,.txt,.obj,.ply,.glb', false),
-        button('Reset all', () => store.change({ ...structuredClone(this.start), dropped: [null, null] })),
-      ),
-      h('p', { class: 'motes-caption' }, 'Open or drop a material.json, a table of measurements (CSV: theta_i, phi_i, theta_r, phi_r, channels) or a mesh (OBJ, PLY, GLB). Files stay in this page; nothing is sent and nothing is remembered.'),
-    );
+    const openFile = fileButton('Open file…', '.json,.csv,.txt,.obj,.ply,.glb', this, false);
+    const takeaway = takeawaySection(this.store, this.start, this.pair, this.canvas, this.messages, this.host.link ? () => this.link() : null, openFile);
     this.root.replaceChildren(
       h('header', { class: 'motes-head' }, this.title, this.subtitle, ...this.payload.notes.map((note) => h('p', { class: 'motes-note' }, note))),
       h('div', { class: 'motes-view' }, this.stage, this.transport.element, this.messages.element),
@@ -293,32 +198,15 @@ export class App {
         this.trendSection,
         section('Reflection', true, this.reflection.element),
         this.agreementSection,
-        scene,
-        compare,
+        this.settings.scene,
+        this.settings.compare,
         takeaway,
         h('p', { class: 'motes-foot' }, `Motes ${this.payload.motes}. Shaded by GLSL that Motes printed from its equations; f in 1/sr, without the cosine. This page asks the network for nothing.`),
       ),
     );
   }
 
-  private fileButton(label: string, types: string, second: boolean): HTMLElement {
-    const input = h('input', { type: 'file', accept: types, class: 'motes-offscreen', tabindex: -1, 'aria-label': label });
-    input.addEventListener('change', () => {
-      const file = input.files?.[0];
-      if (file) open(file, this, second).catch(this.messages.fail);
-      input.value = '';
-    });
-    return h('span', {}, button(label, () => input.click()), input);
-  }
-
   // ---------------------------------------------------------------- following changes
-
-  private get interval(): [number, number] | null {
-    const { state } = this.store;
-    const shown = state.compare === 'one' ? [this.materials[state.active]] : this.materials;
-    const intervals = shown.flatMap((material) => (material?.time ? [material.time.interval] : []));
-    return intervals.length ? [Math.min(...intervals.map((i) => i[0])), Math.max(...intervals.map((i) => i[1]))] : null;
-  }
 
   private restore(): void {
     const state = decode(location.hash, this.start);
@@ -328,23 +216,11 @@ export class App {
 
   /** The materials that the state names. */
   private rebuild(): void {
-    const { dropped } = this.store.state;
-    this.materials = [0, 1].map((index) => {
-      const json = dropped[index];
-      if (!json) return this.own[index]!;
-      const now = this.materials[index];
-      if (now?.dropped && JSON.stringify(now.json) === JSON.stringify({ ...(json as object), name: now.json.name, channels: now.json.channels })) return now;
-      try {
-        return fromJson(json, this.payload.library).material;
-      } catch (error) {
-        this.messages.fail(error);
-        return this.own[index]!;
-      }
-    });
-    this.probe.keep(this.materials);
+    this.pair.follow(this.store.state, this.messages.fail);
+    this.probe.keep(this.pair.all);
     this.tabs.replaceChildren(
-      ...(this.materials[1]
-        ? this.materials.map((material, k) => button(material!.name, () => this.store.change({ active: k }), { 'data-active': String(k), 'aria-pressed': 'false' }))
+      ...(this.pair.two
+        ? this.pair.all.map((material, k) => button(material!.name, () => this.store.change({ active: k }), { 'data-active': String(k), 'aria-pressed': 'false' }))
         : []),
     );
   }
@@ -356,16 +232,13 @@ export class App {
   private follow(changed: ReadonlySet<keyof State>): void {
     if (changed.has('dropped')) this.rebuild();
     const { state } = this.store;
-    if (!this.materials[1] && (state.compare !== 'one' || state.active !== 0)) {
+    if (!this.pair.two && (state.compare !== 'one' || state.active !== 0)) {
       this.store.change({ compare: 'one', active: 0 });
       return;
     }
-    if (changed.has('shape') || changed.has('dropped')) this.picture.setGeometry(this.geometry(state.shape));
-    if (['dropped', 'compare', 'active'].some((key) => changed.has(key as keyof State))) {
-      const shown = state.compare === 'one' ? [this.materials[state.active]!] : [this.materials[0]!, this.materials[1]!];
-      this.picture.setMaterials(shown);
-    }
-    for (const follower of this.followers) follower(state);
+    if (changed.has('shape') || changed.has('dropped')) this.picture.setGeometry(this.meshes.get(state.shape));
+    if (['dropped', 'compare', 'active'].some((key) => changed.has(key as keyof State))) this.picture.setMaterials(this.pair.shown(state));
+    this.settings.follow(state);
     this.words(state);
     const cosmetic = [...changed].every((key) => ['exposure', 'tone', 'incidence', 'lobe', 'radius', 'scale', 'active'].includes(key));
     if (!cosmetic) this.picture.restart();
@@ -375,17 +248,8 @@ export class App {
     this.request();
   }
 
-  private geometry(name: string): BufferGeometry {
-    const found = this.geometries.get(name);
-    if (found) return found;
-    const view = this.payload.shapes.shapes.find((each) => each.name === name) ?? this.payload.shapes.shapes[0]!;
-    const made = this.geometries.get(view.name) ?? embedded(view);
-    this.geometries.set(view.name, made);
-    return made;
-  }
-
   private words(state: State): void {
-    const shown = state.compare === 'one' ? [this.materials[state.active]!] : [this.materials[0]!, this.materials[1]!];
+    const shown = this.pair.shown(state);
     this.title.textContent = shown.map((material) => material.name).join(' and ');
     this.subtitle.textContent = [...new Set(shown.map((material) => material.json.model))].join(' · ');
     this.names.forEach((name, k) => {
@@ -395,9 +259,9 @@ export class App {
     this.splitLine.hidden = shown.length < 2;
     this.splitLine.style.left = `${100 * (state.compare === 'side' ? 0.5 : state.split)}%`;
     for (const tab of Array.from(this.tabs.children)) tab.setAttribute('aria-pressed', String(tab.getAttribute('data-active') === String(state.active)));
-    const active = this.materials[state.active]!;
+    const active = this.pair.active(state);
     this.parameters.show(active, this.values(state.active), state.values[state.active as 0 | 1]);
-    this.transport.show(this.interval, state.hours);
+    this.transport.show(this.pair.interval(state), state.hours);
     this.trendSection.hidden = !active.time;
     this.agreementSection.hidden = !this.data;
   }
@@ -416,9 +280,8 @@ export class App {
     const ratio = Math.min(devicePixelRatio || 1, LARGEST_RATIO);
     this.picture.resize(this.stage.clientWidth, this.stage.clientHeight, ratio);
     if (this.plotsDue && this.firstPicture) this.plots(state);
-    const shown = state.compare === 'one' ? [this.values(state.active)] : [this.values(0), this.values(1)];
     this.lobe.visible = state.lobe && this.firstPicture > 0;
-    this.picture.draw(state, shown);
+    this.picture.draw(state, this.pair.shownValues(state));
     if (!this.firstPicture) {
       // Drawing happens elsewhere; a pixel that is read has been drawn.
       const gl = this.picture.renderer.getContext();
@@ -433,7 +296,7 @@ export class App {
 
   private plots(state: State): void {
     this.plotsDue = false;
-    const materials = this.materials.filter((material): material is Material => material !== null);
+    const materials = this.pair.all.filter((material): material is Material => material !== null);
     const values = materials.map((_, k) => this.values(k));
     const active = materials[state.active]!;
     this.lobe.update(state, active, values[state.active]!, this.probe);
@@ -463,29 +326,4 @@ export class App {
     this.messages.say('The graphics device is back');
     this.request();
   }
-}
-
-function within(label: string, value: number, key: keyof typeof RANGES): number {
-  const { low, high } = RANGES[key];
-  if (!Number.isFinite(value)) throw new Problem(`${label} is not a number`, `Choose one from ${tidy(low)} to ${tidy(high)}`);
-  return clamp(value, low, high);
-}
-
-/** An angle of incidence [degrees] at which many samples lie in the plane of incidence. */
-function commonIncidence(data: Measurement): number {
-  const counts = new Float64Array(90);
-  for (let k = 0; k < data.count; k += 1) {
-    const aside = Math.abs(Math.sin(data.dphi[k]!)) * Math.min(Math.sin(data.thetaI[k]!), Math.sin(data.thetaR[k]!));
-    if (aside > 0.05) continue;
-    const angle = Math.round((data.thetaI[k]! * 180) / Math.PI);
-    if (angle <= RANGES.incidence.high) counts[angle]! += 1;
-  }
-  // Among the angles that have many, the one nearest to 45.
-  const enough = 0.4 * Math.max(...counts);
-  let best = 45;
-  let off = Infinity;
-  counts.forEach((count, angle) => {
-    if (count >= enough && enough > 0 && Math.abs(angle - 45) < off) [best, off] = [angle, Math.abs(angle - 45)];
-  });
-  return best;
 }

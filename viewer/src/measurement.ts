@@ -4,6 +4,7 @@ import { radians } from './dom';
 import type { MeasurementView } from './generated';
 import { Problem } from './problem';
 import { bytes } from './shapes';
+import { RANGES } from './state';
 
 export interface Measurement {
   name: string;
@@ -117,4 +118,23 @@ function completed(name: string, channels: string[], hours: number[], unit: stri
 /** The scan whose time is nearest. */
 export function scanAt(data: Measurement, hours: number): number {
   return data.hours.reduce((best, value, k) => (Math.abs(value - hours) < Math.abs(data.hours[best]! - hours) ? k : best), 0);
+}
+
+/** An angle of incidence [degrees] at which many samples lie in the plane of incidence. */
+export function commonIncidence(data: Measurement): number {
+  const counts = new Float64Array(90);
+  for (let k = 0; k < data.count; k += 1) {
+    const aside = Math.abs(Math.sin(data.dphi[k]!)) * Math.min(Math.sin(data.thetaI[k]!), Math.sin(data.thetaR[k]!));
+    if (aside > 0.05) continue;
+    const angle = Math.round((data.thetaI[k]! * 180) / Math.PI);
+    if (angle <= RANGES.incidence.high) counts[angle]! += 1;
+  }
+  // Among the angles that have many, the one nearest to 45.
+  const enough = 0.4 * Math.max(...counts);
+  let best = 45;
+  let off = Infinity;
+  counts.forEach((count, angle) => {
+    if (count >= enough && enough > 0 && Math.abs(angle - 45) < off) [best, off] = [angle, Math.abs(angle - 45)];
+  });
+  return best;
 }

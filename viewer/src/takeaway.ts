@@ -1,6 +1,11 @@
 // Copying and saving: material JSON, shader, picture, link.
 
+import { button, section } from './controls';
 import { h } from './dom';
+import { toJson, type Material } from './material';
+import type { Messages } from './messages';
+import type { Pair } from './pair';
+import type { State, Store } from './state';
 
 /** Text to the clipboard; where a page has none, an old way that asks nobody. */
 export async function copy(text: string): Promise<void> {
@@ -36,4 +41,42 @@ export function slug(name: string): string {
 
 export function pictureOf(canvas: HTMLCanvasElement): Promise<Blob> {
   return new Promise((resolve, reject) => canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('The picture cannot be read')))));
+}
+
+/** The part of the panel with the buttons; `link` is null where there is none. */
+export function takeawaySection(store: Store, start: State, pair: Pair, canvas: HTMLCanvasElement, messages: Messages, link: (() => string) | null, openFile: HTMLElement): HTMLDetailsElement {
+  const active = (): Material => pair.active(store.state);
+  const named = (suffix: string): string => `${slug(active().name)}.${suffix}`;
+  const json = (): string => {
+    const { state } = store;
+    return `${JSON.stringify(toJson(active(), pair.values(state, state.active), state.values[state.active as 0 | 1], active().time ? state.hours : null), null, 1)}\n`;
+  };
+  const copied = (what: string, text: () => string) => (): void => {
+    copy(text()).then(() => messages.say(`${what} is copied`), messages.fail);
+  };
+  const copyLink = (address: string): void => {
+    try {
+      history.replaceState(null, '', address);
+    } catch {
+      // Some browsers refuse for files; the link itself is copied all the same.
+    }
+    copied('The link, which restores what you see,', () => address)();
+  };
+  return section(
+    'Take away',
+    true,
+    h(
+      'div',
+      { class: 'motes-buttons' },
+      button('Copy material', copied('The material', json)),
+      button('Save material', () => save(named('json'), json(), 'application/json')),
+      button('Copy shader', copied('The shader', () => active().shader.source)),
+      button('Save shader', () => save(named('glsl'), active().shader.source)),
+      button('Save picture', () => void pictureOf(canvas).then((blob) => save(named('png'), blob), messages.fail)),
+      link ? button('Copy link', () => copyLink(link())) : null,
+      openFile,
+      button('Reset all', () => store.change({ ...structuredClone(start), dropped: [null, null] })),
+    ),
+    h('p', { class: 'motes-caption' }, 'Open or drop a material.json, a table of measurements (CSV: theta_i, phi_i, theta_r, phi_r, channels) or a mesh (OBJ, PLY, GLB). Files stay in this page; nothing is sent and nothing is remembered.'),
+  );
 }
