@@ -1,4 +1,4 @@
-"""Fits of real data against SciPy from 20 random starts, and the figures that were known before this code was."""
+"""Fits of real data against SciPy from random starts, and the figures that were known before this code was."""
 
 from __future__ import annotations
 
@@ -48,13 +48,15 @@ SAMPLES = (
     *(44, 45, 46, 47, 51, 52, 54, 56, 57, 60, 61),
 )
 RICH = "oren_nayar + torrance_sparrow"
+#: Random starts of SciPy's.  Of 20 on each of these data at least 17 end at the best optimum, so five miss it once in ten thousand.
+STARTS = 5
 Shared = Callable[[str], Path]
 
 
 def oracle(data: Measurement, model: str, loss: str) -> float:
     """The best objective of SciPy's."""
     used = data.mask[0].all(axis=1)
-    return float(Oracle(data.wi[used], data.wo[used], data.values[0][used], model, loss).best(20).cost)
+    return float(Oracle(data.wi[used], data.wo[used], data.values[0][used], model, loss).best(STARTS).cost)
 
 
 @pytest.mark.parametrize("sample", SAMPLES)
@@ -73,7 +75,7 @@ def test_no_worse_than_scipy_on_cornell(shared_file: Shared, paint: str) -> None
     if not data.mask.all():
         pytest.fail("the oracle wants all samples")
     fit = motes.fit(data, RICH)
-    best = Projected(data.wi, data.wo, data.values[0]).best(20)
+    best = Projected(data.wi, data.wo, data.values[0]).best(STARTS)
     assert fit.metrics["objective"] <= 1.001 * best.cost
 
 
@@ -117,24 +119,23 @@ def test_no_worse_than_scipy_on_simulated_data(model: str, loss: str) -> None:
 
 @pytest.mark.parametrize("kind", ["additive", "multiplicative"])
 def test_standard_errors_cover_as_they_should(kind: str) -> None:
-    """One standard error holds the truth in 60 to 76 % of 500 noisy repeats (68 % by right)."""
+    """Misses in standard errors have mean square 1: 200 repeats know its root to 5 %, and this allows three of that."""
     wi, wo = scattered(200, 4)
     truth = motes.OrenNayar((0.7, 0.5, 0.3), 0.4) + motes.TorranceSparrow(0.3, 0.15)
     exact, rng = truth.eval(wi, wo), np.random.default_rng(11)
-    inside: dict[str, list[np.ndarray]] = {name: [] for name in truth.parameters}
-    for _ in range(500):
+    misses: dict[str, list[np.ndarray]] = {name: [] for name in truth.parameters}
+    for _ in range(200):
         noise = rng.normal(size=exact.shape)
         values = exact + 0.005 * noise / wi[:, 2:3] if kind == "additive" else exact * (1 + 0.03 * noise)
         data = Measurement.from_arrays(wi, wo, values, mask=values > 0, channels=("R", "G", "B"))
         fit = motes.fit(data, truth)
-        for name, hits in inside.items():
+        for name, z in misses.items():
             p = fit.parameters[name]
-            hits.append(
-                np.abs(np.atleast_1d(p.value) - np.atleast_1d(truth.parameters[name])) < np.atleast_1d(p.stderr)
-            )
-    for name, hits in inside.items():
-        share = np.mean(hits, axis=0)
-        assert ((share > 0.60) & (share < 0.76)).all(), (name, share)
+            z.append((np.atleast_1d(p.value) - np.atleast_1d(truth.parameters[name])) / np.atleast_1d(p.stderr))
+    for name, z in misses.items():
+        off, share = np.sqrt(np.mean(np.square(z), axis=0)), np.mean(np.abs(z) < 1, axis=0)
+        assert ((off > 1 / 1.16) & (off < 1.16)).all(), (name, off)
+        assert (abs(share - 0.683) < 0.1).all(), (name, share)
 
 
 def test_what_the_data_cannot_see_is_named() -> None:
