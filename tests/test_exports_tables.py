@@ -103,22 +103,25 @@ def test_csv_over_time(tmp_path: Path) -> None:
         export(drying, "csv", tmp_path / "x.csv", hours=[2, 0.5])
 
 
+NUMBERED = ["channel 1", "channel 2", "channel 3"]
+
+
 @pytest.mark.parametrize(
-    ("channels", "expected"),
+    ("channels", "expected", "read"),
     [
-        (("R", "G", "B"), ["R", "G", "B"]),
-        (("red, a", 'g"', "b#"), ["red a", "g", "b"]),
-        (("theta_i", "x", "y"), ["channel 1", "channel 2", "channel 3"]),
-        (("a", "a", "b"), ["channel 1", "channel 2", "channel 3"]),
-        (("", "a", "b"), ["channel 1", "channel 2", "channel 3"]),
-        (("weight", "a", "b"), ["channel 1", "channel 2", "channel 3"]),
+        (("R", "G", "B"), ["R", "G", "B"], ["R", "G", "B"]),
+        (("red, a", 'g"', "b#"), ["brdf[red a]", "brdf[g]", "brdf[b]"], ["red a", "g", "b"]),
+        (("theta_i", "x", "y"), ["brdf[theta_i]", "brdf[x]", "brdf[y]"], ["theta_i", "x", "y"]),
+        (("a", "a", "b"), NUMBERED, NUMBERED),
+        (("", "a", "b"), NUMBERED, NUMBERED),
+        (("weight", "a", "b"), ["brdf[weight]", "brdf[a]", "brdf[b]"], ["weight", "a", "b"]),
     ],
 )
-def test_names_of_columns(channels: tuple[str, ...], expected: list[str], tmp_path: Path) -> None:
+def test_names_of_columns(channels: tuple[str, ...], expected: list[str], read: list[str], tmp_path: Path) -> None:
     material = Material(MODELS["lambert"], name="a\nb,c", channels=channels)
     assert csv_table.headings(subject(material)) == expected
     data = motes.read(export(material, "csv", tmp_path / "table.csv").files[0])
-    assert list(data.channels) == expected
+    assert list(data.channels) == read
 
 
 def test_a_fit_finds_the_material_in_its_table(tmp_path: Path) -> None:

@@ -420,7 +420,7 @@ def test_csv_full(tmp_path: Path):
 
 def test_csv_radians_degrees_and_missing_phi_i(tmp_path: Path):
     a = table(tmp_path, "theta_i,theta_r,phi_r,f\n0.5,0.25,3.0,1\n")
-    b = table(tmp_path, f"phi_r_deg;theta_o_deg;f;theta_i\n{np.degrees(3.0)};{np.degrees(0.25)};1;0.5\n")
+    b = table(tmp_path, f"phi_r_deg;theta_o_deg;f;theta_i_rad\n{np.degrees(3.0)};{np.degrees(0.25)};1;0.5\n")
     np.testing.assert_allclose(a.wi, b.wi, atol=1e-12)
     np.testing.assert_allclose(a.wo, b.wo, atol=1e-12)
     assert "phi_i is missing and taken as 0" in a.provenance["notes"]
@@ -455,18 +455,18 @@ def test_csv_scans_that_share_some_directions(tmp_path: Path):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("theta_i,theta_r,phi_r,f\n", "1 lines"),
+        ("theta_i,theta_r,phi_r,f\n", "no row below it"),
         ("theta_i,theta_r,f\n1,1,1\n", "no column phi_r"),
-        ("theta_i,theta_r,phi_r\n.1,.1,.1\n", "0 channels"),
-        ("theta_i,theta_r,phi_r,f,f\n.1,.1,.1,1,1\n", "2 channels"),
+        ("theta_i,theta_r,phi_r\n.1,.1,.1\n", "no column of values"),
+        ("theta_i,theta_r,phi_r,f,f\n.1,.1,.1,1,1\n", "the same channel"),
         ("theta_i,theta_r,phi_r,f\n.1,.1,.1\n", "line 2 has 3 cells"),
-        ("theta_i,theta_r,phi_r,f\n.1,.1,.1,1\n\n# x\n.1,.1,.1,bright\n", "line 5: entry 4 is 'bright'"),
+        ("theta_i,theta_r,phi_r,f\n.1,.1,.1,1\n\n# x\n.1,.1,.1,bright\n", "line 5: 'bright' is not a number"),
         ("theta_i,theta_r,phi_r,f\n.1,,.1,1\n", "line 2: theta_r is missing"),
         ("theta_i,theta_r,phi_r,f\n.1,80,.1,1\n", r"theta_r = 80 is outside.*theta_r_deg"),
-        ("theta_i_deg,theta_r,phi_r,f\n1000,1,.1,1\n", "theta_i_deg = 1000 is outside"),
-        ("theta_i,theta_i_deg,theta_r,phi_r,f\n.1,.1,.1,.1,1\n", "two columns"),
-        ("theta_i,theta_r,phi_r,time,time_s,f\n.1,.1,.1,1,1,1\n", "several columns of time"),
-        ("theta_i,theta_r,phi_r,weight,f\n.1,.1,.1,-1,1\n", "weights"),
+        ("theta_i_deg,theta_r_deg,phi_r_deg,f\n1000,1,.1,1\n", "theta_i_deg = 1000 is outside"),
+        ("theta_i,theta_i_deg,theta_r,phi_r,f\n.1,.1,.1,.1,1\n", "are both theta_i"),
+        ("theta_i,theta_r,phi_r,time,time_s,f\n.1,.1,.1,1,1,1\n", "are both time"),
+        ("theta_i,theta_r,phi_r,weight,f\n.1,.1,.1,-1,1\n", "the weight is missing or below 0"),
     ],
 )
 def test_csv_bad_tables(tmp_path: Path, text: str, message: str):

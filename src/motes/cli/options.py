@@ -36,12 +36,31 @@ class Reading:
     """Which sample of a container."""
 
     read: Annotated[tuple[str, ...], Parameter(negative="")] = ()
-    """NAME=VALUE: an option of the reader, such as format=csv, times=0,0.5,1 (hours) or irradiance=2 (TVBRDF folders),
-    resolution=32 (RGL); repeat for more."""
+    """NAME=VALUE: an option of the reader; repeat for more. column:NAME=ROLE says what a column of a table is, such as
+    column:lum=brdf or column:T=ignore; angles=deg, azimuth=mirror, sheet=NAME, theta_i_deg=45 (see docs/data.md); format=csv,
+    times=0,0.5,1 (hours), irradiance=2 (TVBRDF folders), resolution=32 (RGL); relative_uncertainty=0.02,
+    common_uncertainty=0.01."""
 
     def options(self) -> dict[str, Any]:
         """The keyword arguments of `motes.read`."""
-        return {"sample": self.sample, **dict(assignment(text, "--read") for text in self.read)}
+        columns = [text.removeprefix("column:") for text in self.read if text.startswith("column:")]
+        others = assignments([text for text in self.read if not text.startswith("column:")], "--read")
+        for name, value in others.items():  # names, though they may look like numbers
+            others[name] = str(value) if name in ("format", "sheet", "angles", "azimuth", "wavelength_unit") else value
+        return {"sample": self.sample, **others, **({"columns": column_roles(columns)} if columns else {})}
+
+
+def column_roles(texts: Sequence[str]) -> dict[str, str]:
+    """``lum=brdf`` as column and role; a name may hold an equals sign, a role does not."""
+    roles: dict[str, str] = {}
+    for text in texts:
+        name, equals, role = (part.strip() for part in text.rpartition("="))
+        if not equals or not name or not role:
+            raise MotesError(f"--read 'column:{text}' is not column:NAME=ROLE", "Write --read column:lum=brdf")
+        if name in roles:
+            raise MotesError(f"--read column:{name} is given twice", "Give it once")
+        roles[name] = role
+    return roles
 
 
 def _whole(type_: Any, tokens: Sequence[Any]) -> int:

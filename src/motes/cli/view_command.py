@@ -136,7 +136,9 @@ def _own_data(fitted: dict[str, Any] | None, notes: list[str]) -> Measurement | 
     about = (fitted or {}).get("measurement")
     if not isinstance(about, dict) or not isinstance(about.get("path"), str):
         return None
-    options = {key: str(about[key]) for key in ("sample", "format") if about.get(key)}
+    options: dict[str, Any] = {key: str(about[key]) for key in ("sample", "format") if about.get(key)}
+    if isinstance(about.get("options"), dict):  # of the reader, as they were given then
+        options = {**about["options"], **options}
     try:
         found = read(about["path"], **options)
     except (MotesError, OSError, TypeError, ValueError):

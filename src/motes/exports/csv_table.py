@@ -20,7 +20,7 @@ SUFFIX = ".csv"
 THETA_I_DEG = tuple(range(0, 90, 15))
 THETA_R_DEG = tuple(range(0, 90, 5))
 PHI_DEG = tuple(range(0, 181, 15))
-_TAKEN = re.compile(r"(theta|phi)_[iro](_deg)?|time(_\w+)?|weight|", re.IGNORECASE)
+_PLAIN = ("R", "G", "B", "grey")  # names of channels that need no word for what is in them
 
 
 def grid() -> NDArray[np.float64]:
@@ -74,6 +74,6 @@ def headings(subject: Subject) -> list[str]:
     if subject.wavelengths:
         return list(spectral_names(subject.wavelengths))
     names = [re.sub(r"[^\w .-]", "", plain(name)).strip() for name in subject.channels]
-    if len(set(names)) < len(names) or any(_TAKEN.fullmatch(name) for name in names):
+    if len({name.lower() for name in names}) < len(names) or "" in names:
         return list(numbered(len(names)))
-    return names
+    return [name if name in _PLAIN else f"brdf[{name}]" for name in names]

@@ -277,6 +277,38 @@ class Measurement:
             _codes=None if self._codes is None else self._codes[:, indices],
         )
 
+    def with_uncertainties(
+        self, uncertainties: ArrayLike | None = None, *, relative: float | None = None, common: float | None = None
+    ) -> Self:
+        """The same measurement with uncertainties; what is not given stays.
+
+        Parameters
+        ----------
+        uncertainties
+            One standard deviation a sample [1/sr], broadcastable to (T, N, C).
+        relative
+            The same as a share of each value: 0.02 is 2 %.
+        common
+            That of a scale that all samples share, relative.
+        """
+        if relative is not None:
+            if uncertainties is not None or not 0 < relative < 1:
+                raise DataError(
+                    f"relative uncertainty {relative:g}: outside (0, 1), or beside absolute ones",
+                    "0.02 is 2 % of each value",
+                )
+            absolute = relative * np.abs(self.values)
+            uncertainties = np.where(absolute > 0, absolute, np.nan)
+        if common is not None and not 0 < common < 1:
+            raise DataError(
+                f"common uncertainty {common:g} is outside (0, 1)", "It is relative: 0.02 is 2 % of the scale"
+            )
+        return replace(
+            self,
+            uncertainties=self.uncertainties if uncertainties is None else _uncertainties(uncertainties, self.values),
+            common_uncertainty=self.common_uncertainty if common is None else float(common),
+        )
+
     def with_mask(self, extra_mask: ArrayLike, reason: str) -> Self:
         """The same measurement with more samples masked.
 

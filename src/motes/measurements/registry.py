@@ -9,7 +9,7 @@ from __future__ import annotations
 import inspect
 import os
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib import metadata
 from pathlib import Path
 from typing import Any, TypeVar
@@ -90,7 +90,11 @@ _TABLE = (
         cornell.NAME, "Cornell spectral goniometer text (.brdf)", cornell.SOURCE, cornell.sniff, cornell.read_cornell
     ),
     Reader(
-        table.NAME, "CSV: theta_i,phi_i,theta_r,phi_r[,time],<channel>...", table.SOURCE, table.sniff, table.read_table
+        table.NAME,
+        "table: text or .xlsx with named columns of angles and values",
+        table.SOURCE,
+        table.sniff,
+        table.read_table,
     ),
 )
 #: The formats that Motes itself reads, by name.
@@ -128,6 +132,8 @@ def read(
     format: str | None = None,
     sample: int | str | None = None,
     times: Any = None,
+    relative_uncertainty: float | None = None,
+    common_uncertainty: float | None = None,
     **options: Any,
 ) -> Measurement | ParameterMaps:
     """Read measured reflectance; the format is found from the content of the file or folder.
@@ -142,8 +148,13 @@ def read(
         Which sample, where the file or folder holds several; see `list_samples`.
     times
         Hours of the scans, for formats with several whose time stamps are missing or unreadable.
+    relative_uncertainty
+        One standard deviation of each sample as a share of its value, for data that bring none: 0.02 is 2 %.
+    common_uncertainty
+        That of a scale that all samples share, such as the calibration's, relative.
     **options
-        Of the reader: ``irradiance`` (tvbrdf), ``resolution`` (rgl).
+        Of the reader: ``irradiance`` (tvbrdf), ``resolution`` (rgl); ``columns``, ``sheet``, ``angles``, ``azimuth`` and more of tables
+        (see ``docs/data.md``).
 
     Returns
     -------
@@ -163,7 +174,22 @@ def read(
         if name not in reader.options:
             known = f"its options are: {', '.join(reader.options)}" if reader.options else "it has none"
             raise MotesError(f"The format {reader.name} has no option {name!r}; {known}", "Leave it out")
-    return _guarded(path, lambda: reader.read(path, **options))
+    result = _guarded(path, lambda: reader.read(path, **options))
+    said = {"relative_uncertainty": relative_uncertainty, "common_uncertainty": common_uncertainty}
+    said |= {name: value for name, value in options.items() if name != "sample"}
+    said = {name: value for name, value in said.items() if value is not None}
+    if said and isinstance(result, Measurement):  # what it takes to read it so again
+        result = replace(result, provenance={**result.provenance, "options": said})
+    if relative_uncertainty is None and common_uncertainty is None:
+        return result
+    if not isinstance(result, Measurement):
+        raise MotesError(f"{path} holds maps of parameters, which have no uncertainties of samples", "Leave them out")
+    if relative_uncertainty is not None and result.uncertainties is not None:
+        raise MotesError(
+            f"{path} brings uncertainties of its own, and relative_uncertainty = {relative_uncertainty:g} was given",
+            "Leave one of them out",
+        )
+    return result.with_uncertainties(relative=relative_uncertainty, common=common_uncertainty)
 
 
 def list_samples(path: str | os.PathLike[str], *, format: str | None = None) -> list[str]:
@@ -216,6 +242,8 @@ def _detect(path: Path) -> Reader:
         )
     if not head:
         raise FormatError(f"{path} is empty", "Fetch or copy the file again")
+    if table.is_headerless(head):
+        raise FormatError(f"{path} holds rows of numbers, and no line names its columns", table.HEADER)
     raise FormatError(f"{path} is of no known format; it starts with {head[:24]!r}", formats)
 
 

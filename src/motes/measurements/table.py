@@ -1,17 +1,15 @@
-"""Plain CSV: ``theta_i,phi_i,theta_r,phi_r[,time],<channel>...``, a row a sample.
+"""Tables of the user's: text in any of the ways that programs write it, and spreadsheets.
 
-The header is required.  Angles are in radians, or in degrees where the name ends in ``_deg``; theta may be negative,
-which is the opposite azimuth.  ``theta_o, phi_o`` mean the same as ``theta_r, phi_r``.  ``phi_i`` may be missing and is
-then 0, since an isotropic surface knows the difference of the azimuths only; ``phi_r`` is required.  ``time`` is in
-hours, ``time_s``, ``time_min``, ``time_h``, ``time_d`` say otherwise. ``weight`` is the solid angle that a sample
-stands for.  Every other column is a channel of f_r [1/sr]; where all are named by numbers (``400``, ``400nm``, ``400
-nm``) these are wavelengths.  An empty cell is a value that was not measured.  ``#`` starts a comment; commas,
-semicolons or tabs separate.
+A header names the columns; each row holds a pair of directions with its values (wide tables), or one value with its
+wavelength or channel (long ones).  The grammar, with a worked example of each layout, is ``docs/data.md``; names, units and
+factors are in ``columns.json``.  What is not certain is refused with the option that settles it, and what was taken for
+what is in ``provenance["columns"]``.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import numpy as np
@@ -19,160 +17,316 @@ from numpy.typing import NDArray
 
 from motes import directions
 from motes.errors import FormatError
-from motes.files import reading
-from motes.measurements import _scans, policy
+from motes.files import spreadsheet
+from motes.measurements import _cells, _roles, _scans, _table_values, policy
+from motes.measurements import _column_names as names
+from motes.measurements._table_times import hours_of
 from motes.measurements.measurement import Measurement
 
 NAME = "csv"
 SOURCE = "a table of the user's"
-TIMES = {"time": 1.0, "time_h": 1.0, "time_s": 1 / 3600, "time_min": 1 / 60, "time_d": 24.0}
-ANGLES = {
-    "theta_i": "theta_i",
-    "phi_i": "phi_i",
-    "theta_r": "theta_r",
-    "phi_r": "phi_r",
-    "theta_o": "theta_r",
-    "phi_o": "phi_r",
-}
-WAVELENGTH = re.compile(r"(\d+(?:\.\d+)?)\s*(?:nm)?", re.IGNORECASE)
 LARGEST_ANGLE = 2 * np.pi + 1e-6
-MOST_CHANNELS = 10_000
+HEADER = _cells.HEADER_HINT
+SPHERICAL, HALF = ("theta_i", "phi_i", "theta_r", "phi_r"), ("theta_h", "theta_d", "phi_d", "phi_h")
+VECTORS = tuple(f"{w}_{axis}" for w in ("wi", "wo") for axis in "xyz")
+Floats = NDArray[np.float64]
 
 
 def sniff(path: Path, head: bytes) -> bool:
-    if path.is_dir() or b"\0" in head:
+    if path.is_dir() or not head:
         return False
-    for line in head.decode("utf-8", errors="replace").removeprefix("\ufeff").splitlines():
-        line = line.partition("#")[0].strip()
-        if line:
-            names = {n.removesuffix("_deg") for n in _cells(line.lower(), _separator(line))}
-            return "theta_i" in names and bool(names & {"theta_r", "theta_o"})
-    return False
+    if spreadsheet.is_spreadsheet(head):
+        return path.suffix.lower() in (".xlsx", ".xlsm", ".xls") or b"[Content_Types].xml" in head
+    try:
+        text, _ = _cells.decoded(head, str(path))
+    except FormatError:
+        return False
+    return _cells.has_header(text, _knows({}))
 
 
-def read_table(path: Path) -> Measurement:
-    """The table as a measurement; rows of one time make a scan."""
-    numbered = ((n, line.partition("#")[0].rstrip(" \r")) for n, line in enumerate(reading.text(path).splitlines(), 1))
-    lines = [(n, line) for n, line in numbered if line.strip()]
-    if len(lines) < 2:
-        raise FormatError(f"{path} has {len(lines)} lines that are no comments", "It needs a header and a row a sample")
-    separator = _separator(lines[0][1])
-    header = _cells(lines[0][1], separator)
-    angles, time, weight, channels = _columns(path, header)
-    rows = _rows(path, lines[1:], separator, len(header))
-    line_of = [number for number, _ in lines[1:]]
-    for column in (*angles.values(), *time, *weight):
-        bad = ~np.isfinite(rows[:, column])
-        if bad.any():
+def is_headerless(head: bytes) -> bool:
+    """Whether the beginning of a file is rows of numbers without names."""
+    try:
+        return _cells.is_numbers(_cells.decoded(head, "")[0])
+    except FormatError:
+        return False
+
+
+def read_table(
+    path: Path,
+    *,
+    columns: Mapping[str, str] | None = None,
+    sheet: str | None = None,
+    angles: str | None = None,
+    azimuth: str | None = None,
+    wavelength_unit: str | None = None,
+    theta_i_deg: float | None = None,
+    phi_i_deg: float | None = None,
+    theta_r_deg: float | None = None,
+    phi_r_deg: float | None = None,
+) -> Measurement:
+    """The table as a measurement; rows of one time make a scan.
+
+    Parameters
+    ----------
+    path
+        Text or a spreadsheet.
+    columns
+        Column -> role, for names that are not known: ``{"lum": "brdf", "T": "ignore"}``.  At the command line
+        ``--read column:lum=brdf``.
+    sheet
+        Of a spreadsheet.
+    angles
+        ``"deg"`` or ``"rad"``: the unit of columns that name none; radians otherwise.
+    azimuth
+        ``"lamp"``, where phi_r counts from the side of the lamp (0 is backscatter), as everywhere in Motes; or ``"mirror"``,
+        where it counts from the side of the mirror direction, as in ASTM E2387.
+    wavelength_unit
+        ``"nm"``, ``"um"`` or ``"m"``: that of wavelengths whose names say none; nm otherwise.
+    theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg
+        Angles that all rows share, in place of a column.
+
+    Raises
+    ------
+    FormatError
+        Where a column is not known, two are the same, units contradict each other, or a cell is not a number.
+    """
+    where = str(path)
+    for name, value, allowed in (
+        ("angles", angles, ("deg", "rad")),
+        ("azimuth", azimuth, ("lamp", "mirror")),
+        ("wavelength_unit", wavelength_unit, ("nm", "um", "m", "angstrom")),
+    ):
+        if value is not None and value not in allowed:
             raise FormatError(
-                f"{path}, line {line_of[int(np.argmax(bad))]}: {header[column]} is missing or not finite", "Fill it in"
+                f"{name} = {value!s:.40} is none of {', '.join(allowed)}", f"Give --read {name}={allowed[0]}"
             )
+    given = dict(columns or {})
+    head = path.read_bytes()[:4] if path.stat().st_size else b""
+    if spreadsheet.is_spreadsheet(head):
+        table = _cells.of_sheet(spreadsheet.read_spreadsheet(path, sheet), where, _knows(given))
+    else:
+        if sheet is not None:
+            raise FormatError(f"{path} is no spreadsheet, and has no sheet {sheet!s:.40}", "Leave sheet out")
+        text, notes = _cells.text_of(path)
+        table = _cells.of_text(text, where, _knows(given))
+        table.notes[:0] = notes
+    roles = _roles.assign(table, where, given)
+    if not table.rows:
+        raise FormatError(f"{path} has a header and no row below it", "It needs a row a sample")
+    everything = [*roles.angles.values(), *roles.values, *roles.uncertainties]
+    everything += [at for role, at in roles.single.items() if role in ("weight", "wavelength")]
+    numbers = _cells.Numbers(table, where, everything)
+    notes = [*table.notes, *roles.notes]
+    if numbers.decimal_comma:
+        notes.append("Its numbers have decimal commas")
+    shared = {"theta_i": theta_i_deg, "phi_i": phi_i_deg, "theta_r": theta_r_deg, "phi_r": phi_r_deg}
+    reader = _Angles(table, where, roles, numbers, angles, notes)
+    pairs = reader.pairs({k: v for k, v in shared.items() if v is not None}, azimuth == "mirror")
+    hours, time_unit = hours_of(table, where, roles)
+    weights = numbers.column(roles.single["weight"])[0][:, 0] if "weight" in roles.single else np.ones(len(table.rows))
+    bad = ~np.isfinite(weights) | (weights < 0)
+    if bad.any():
+        raise FormatError(
+            f"{where}, line {table.lines[int(np.argmax(bad))]}: the weight is missing or below 0", "Fill it in"
+        )
+    samples = _table_values.samples(table, where, roles, numbers, pairs, hours, wavelength_unit, notes)
+    return _measured(path, table, roles, samples, weights, time_unit, notes)
 
-    def angle(name: str) -> NDArray[np.float64]:
-        if name not in angles:
-            return np.zeros(len(rows))
-        values, label = rows[:, angles[name]], header[angles[name]]
-        if label.lower().endswith("_deg"):
-            values = np.radians(values)
-        bad = np.abs(values) > LARGEST_ANGLE
-        if bad.any():
-            i = int(np.argmax(bad))
-            raise FormatError(
-                f"{path}, line {line_of[i]}: {label} = {rows[i, angles[name]]:g} is outside +-2 pi rad (+-360 degrees)",
-                f"Angles are in radians; name the column {label}_deg for degrees"
-                if not label.lower().endswith("_deg")
-                else "Check the row",
-            )
-        return values
 
-    wi = directions.from_spherical(angle("theta_i"), angle("phi_i"))
-    wo = directions.from_spherical(angle("theta_r"), angle("phi_r"))
-    values = rows[:, channels]
-    stamps = rows[:, time[0]] * TIMES[header[time[0]].lower()] if time else np.zeros(len(rows))
-    times, scan = np.unique(stamps, return_inverse=True)
+def _measured(
+    path: Path,
+    table: _cells.Cells,
+    roles: _roles.Roles,
+    samples: _table_values.Samples,
+    weights: Floats,
+    time_unit: str,
+    notes: list[str],
+) -> Measurement:
+    """Scans brought onto one set of directions."""
+    pairs, values = samples.pairs, samples.values
+    times, scan = np.unique(samples.hours, return_inverse=True)
     scan = scan.reshape(-1)
     members = np.split(np.argsort(scan, kind="stable"), np.cumsum(np.bincount(scan))[:-1])
-    union, indices = _scans.union([np.concatenate([wi[m], wo[m]], axis=1) for m in members])
-    spread, present = _scans.spread(len(union), indices, [values[m] for m in members], len(channels), str(path))
-    weights = np.ones(len(union))
-    if weight:
-        for index, m in zip(indices, members, strict=True):
-            weights[index] = rows[m, weight[0]]
+    union, indices = _scans.union([pairs[m] for m in members])
+    n_channels = values.shape[1]
+    spread, present = _scans.spread(len(union), indices, [values[m] for m in members], n_channels, str(path))
+    uncertainties = None
+    if samples.uncertainties is not None:
+        parts = [samples.uncertainties[m] for m in members]
+        uncertainties, _ = _scans.spread(len(union), indices, parts, n_channels, str(path))
+    weight = np.ones(len(union))
+    for index, m in zip(indices, members, strict=True):
+        weight[index] = weights[samples.rows[m]]
     wi, wo = union[:, :3], union[:, 3:]
-    names = [header[c] for c in channels]
-    matches = [WAVELENGTH.fullmatch(n) for n in names]
-    wavelengths = [float(m[1]) for m in matches if m] if all(matches) else None
-    notes = ["f_r in 1/sr, as the table says"]
-    if "phi_i" not in angles:
-        notes.append("phi_i is missing and taken as 0")
     return Measurement.from_arrays(
         wi,
         wo,
         spread,
         times=times,
-        channels=names if wavelengths is None else [f"{w:g} nm" for w in wavelengths],
-        wavelengths=wavelengths,
-        weights=weights,
+        time_unit=time_unit,
+        channels=samples.channels,
+        wavelengths=samples.wavelengths,
+        weights=weight,
+        uncertainties=uncertainties,
         reasons={policy.NOT_MEASURED: ~present[:, :, None], policy.CLIPPED: policy.clipped(wi, wo, spread)},
-        provenance={"format": NAME, "path": str(path), "name": path.stem, "source": SOURCE, "notes": notes},
+        provenance={
+            "format": NAME,
+            "path": str(path),
+            "name": path.stem,
+            "source": SOURCE,
+            "columns": _roles.described(roles, table.header),
+            "notes": notes,
+        },
     )
 
 
-def _separator(header: str) -> str:
-    return max(",;\t", key=header.count)
+def _knows(given: Mapping[str, str]) -> Callable[[str], str]:
+    """What a cell of a header names."""
+    wanted = {names.normal(name): role for name, role in given.items()}
+
+    def known(cell: str) -> str:
+        try:
+            found = names.column(wanted.get(names.normal(cell), cell))
+        except FormatError:
+            return "direction"  # a known name with a wrong unit is the name of a column all the same
+        if found is None:
+            return ""
+        return "direction" if found.role in ("angle", "vector") else found.role
+
+    return known
 
 
-def _cells(line: str, separator: str) -> list[str]:
-    return [cell.strip().strip('"') for cell in line.split(separator)]
+class _Angles:
+    """The directions of the rows."""
 
-
-def _rows(path: Path, lines: list[tuple[int, str]], separator: str, n_columns: int) -> NDArray[np.float64]:
-    """The numbers of all lines, NaN in empty cells."""
-    cells: list[str] = []
-    for number, line in lines:
-        row = _cells(line, separator)
-        reading.require(
-            len(row) == n_columns,
-            f"{path}, line {number} has {len(row)} cells; the header has {n_columns}",
-            "Rows match the header",
+    def __init__(
+        self,
+        table: _cells.Cells,
+        where: str,
+        roles: _roles.Roles,
+        numbers: _cells.Numbers,
+        unit: str | None,
+        notes: list[str],
+    ) -> None:
+        self.table, self.where, self.roles, self.numbers, self.unit, self.notes = (
+            table,
+            where,
+            roles,
+            numbers,
+            unit,
+            notes,
         )
-        cells += [cell or "nan" for cell in row]
-    try:
-        return np.array(cells, np.float64).reshape(-1, n_columns)
-    except ValueError:
-        for i, (number, _) in enumerate(lines):  # find the line, for the message
-            reading.numbers(cells[i * n_columns : (i + 1) * n_columns], f"{path}, line {number}")
-        raise
 
+    def pairs(self, shared: Mapping[str, float], from_mirror: bool) -> Floats:
+        """wi and wo (N, 6)."""
+        found = set(self.roles.angles)
+        groups = [g for g in (VECTORS, HALF, SPHERICAL) if found & set(g) or (g is SPHERICAL and shared)]
+        if len(groups) > 1 or not groups:
+            raise FormatError(
+                f"{self.where} gives directions in several ways: {', '.join(sorted(found) + list(shared))}",
+                "Leave one way out with --read column:NAME=ignore",
+            )
+        if groups[0] is VECTORS:
+            self._need(VECTORS)
+            vectors = np.stack([self._column(name) for name in VECTORS], axis=1)
+            return np.concatenate(
+                [
+                    policy.unit_directions(vectors[:, :3], f"{self.where}: wi"),
+                    policy.unit_directions(vectors[:, 3:], f"{self.where}: wo"),
+                ],
+                axis=1,
+            )
+        if groups[0] is HALF:
+            self._need(HALF[:3])
+            parts = [self._angle(name) if name in found else 0.0 for name in HALF]
+            return np.concatenate(directions.from_half_difference(*parts), axis=-1)
+        return self._spherical(shared, from_mirror)
 
-def _columns(path: Path, header: list[str]) -> tuple[dict[str, int], list[int], list[int], list[int]]:
-    """Where the angles, the time, the weight and the channels are."""
-    angles: dict[str, int] = {}
-    time, weight, channels = [], [], []
-    for column, name in enumerate(header):
-        lower = name.lower()
-        angle = ANGLES.get(lower.removesuffix("_deg"))
-        if angle is not None:
-            reading.require(angle not in angles, f"{path} gives {angle} in two columns", "Keep one")
-            angles[angle] = column
-        elif lower in TIMES:
-            time.append(column)
-        elif lower == "weight":
-            weight.append(column)
+    def _spherical(self, shared: Mapping[str, float], from_mirror: bool) -> Floats:
+        n = len(self.table.rows)
+        found = self.roles.angles
+        both = [name for name in shared if name in found]
+        if both:
+            raise FormatError(f"{self.where} has a column of {both[0]} already", f"Leave {both[0]}_deg out")
+        self._need(("theta_i", "theta_r", "phi_r"), shared)
+        angle = {
+            name: self._angle(name) if name in found else np.full(n, np.radians(shared.get(name, 0.0)))
+            for name in SPHERICAL
+        }
+        for name, degrees in shared.items():
+            self.notes.append(f"{name} is {degrees:g} degrees for all rows, as given by the caller")
+        if "phi_i" not in found and "phi_i" not in shared:
+            self.notes.append("phi_i is missing and taken as 0")
+        if (angle["theta_i"] < 0).any() or (angle["theta_r"] < 0).any():
+            self.notes.append("Negative polar angles are taken for the opposite azimuth")
+        if from_mirror:
+            self.notes.append("Azimuths count from the side of the mirror direction, as given by the caller")
+        wi = directions.from_spherical(angle["theta_i"], angle["phi_i"])
+        wo = directions.from_spherical(angle["theta_r"], angle["phi_r"] + (np.pi if from_mirror else 0.0))
+        return np.concatenate([wi, wo], axis=1)
+
+    def _need(self, needed: tuple[str, ...], shared: Mapping[str, float] = {}) -> None:
+        missing = [name for name in needed if name not in self.roles.angles and name not in shared]
+        if not missing:
+            return
+        header = ", ".join(repr(h[:40]) for h in self.table.header[:12])
+        if missing == ["phi_r"]:
+            hint = (
+                "In a scan within the plane of incidence, --read phi_r_deg=180 says that positive theta_r is on the side of the "
+                "mirror direction (ASTM E2387), --read phi_r_deg=0 that it is on the side of the lamp"
+            )
+        elif set(missing) <= set(SPHERICAL):
+            hint = f"Add them, or say what all rows share with --read {' --read '.join(f'{name}_deg=0' for name in missing)}"
         else:
-            channels.append(column)
-    missing = [name for name in ("theta_i", "theta_r", "phi_r") if name not in angles]
-    if missing:
-        raise FormatError(
-            f"{path} has no column {', '.join(missing)}; it has {', '.join(header)[:200]}",
-            "Columns: theta_i,phi_i,theta_r,phi_r,<channel>...",
-        )
-    reading.require(
-        len(time) <= 1 and len(weight) <= 1, f"{path} has several columns of time or weight", "Keep one of each"
-    )
-    names = [header[c] for c in channels]
-    if not 1 <= len(names) <= MOST_CHANNELS or len(set(names)) != len(names) or "" in names:
-        raise FormatError(
-            f"{path} has {len(names)} channels, or some without a name of their own", "Name one column of f_r a channel"
-        )
-    return angles, time, weight, channels
+            hint = f"These columns come together: {', '.join(needed)}"
+        raise FormatError(f"{self.where} has no column {', '.join(missing)}; it has {header}", hint)
+
+    def _column(self, name: str) -> Floats:
+        at = self.roles.angles[name]
+        values, self.cell_unit = self.numbers.column(at)
+        bad = ~np.isfinite(values[:, 0])
+        if bad.any():
+            line = self.table.lines[int(np.argmax(bad))]
+            raise FormatError(
+                f"{self.where}, line {line}: {self.table.header[at]} is missing or not finite", "Fill it in"
+            )
+        return values[:, 0]
+
+    def _angle(self, name: str) -> Floats:
+        """A column of angles [rad]."""
+        at = self.roles.angles[name]
+        values, label = self._column(name), self.table.header[at]
+        column = self.roles.columns[at]
+        assert column is not None
+        in_cells = names.unit_of(self.cell_unit, "angle") if self.cell_unit else ""
+        unit = column.unit or in_cells or self.unit or ""
+        if in_cells is None or (in_cells and column.unit and in_cells != column.unit):
+            raise FormatError(
+                f"{self.where}: the cells of {label!r} are in {self.cell_unit!r}"
+                + (f", its name says {column.unit}" if column.unit else ""),
+                "Correct one of them",
+            )
+        others = {c.unit for c in self.roles.columns if c is not None and c.role == "angle"}
+        if not unit and "deg" in others:
+            raise FormatError(
+                f"{self.where}: {label!r} names no unit, and other angles are in degrees",
+                f"--read angles=deg says that it is in degrees too, --read 'column:{label}={name}_rad' that it is in radians",
+            )
+        radians = values * names.FACTORS[unit or "rad"]
+        bad = np.abs(radians) > LARGEST_ANGLE
+        if bad.any():
+            i = int(np.argmax(bad))
+            raise FormatError(
+                f"{self.where}, line {self.table.lines[i]}: {label} = {values[i]:g} is outside +-2 pi rad (+-360 degrees)",
+                "Check the row"
+                if unit
+                else f"Angles are in radians; --read angles=deg reads degrees, and so does the name {re.sub(r'[^A-Za-z0-9_]+', '_', label)}_deg",
+            )
+        return np.asarray(radians, np.float64)
+
+
+#: Names of columns of times -> hours; for tables of other kinds.
+TIMES: dict[str, float] = {"time": 1.0, **{f"time_{unit}": names.FACTORS[unit] for unit in ("h", "s", "min", "d")}}
+
+__all__ = ["NAME", "SOURCE", "TIMES", "read_table", "sniff"]
