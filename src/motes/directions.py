@@ -37,6 +37,11 @@ class Vector(NamedTuple):
         """The components of an (..., 3) array, each with a last axis of length 1 to broadcast against channels."""
         return cls(w[..., 0:1], w[..., 1:2], w[..., 2:3])
 
+    @classmethod
+    def split(cls, w: Array) -> Vector:
+        """The components of an (..., 3) array, each of shape (...): what lobes compute with."""
+        return cls(w[..., 0], w[..., 1], w[..., 2])
+
 
 def polar_angle(xp: Array, cos_theta: Array, sin_theta: Array) -> Array:
     """Polar angle [rad] in [0, pi/2] from its cosine and sine, accurate at both ends.
@@ -56,6 +61,13 @@ def elevation(xp: Array, cos_theta: Array, sin_theta: Array) -> Array:
 
 class Geometry:
     """What the equations need of a pair of directions, computed once and when asked for.
+
+    All of it is isotropic: of the azimuths only phi_r - phi_i enters.  This is the one place where an azimuth against the surface
+    would: an anisotropic model (brushed metal, cloth) needs cos(phi_h) and sin(phi_h) of the half vector, or x and y of the two
+    directions themselves, which are components of `wi` and `wo` along the surface's tangent and bitangent.  They become further
+    properties here, in the manner of `cos_dphi`; tracing, kernels and shaders record components, and print what is used of them.
+    Lobes get all three components already.  What assumes isotropy stands elsewhere: tables over (theta_i, theta_r, phi) in
+    `motes.exports`, the frame about the normal in shaders that are told no tangent, and measurements that are folded by symmetry.
 
     Parameters
     ----------

@@ -173,7 +173,7 @@ class BRDF(Reflecting, ABC):
             total: Array = 0.0
             for component, chance in zip(components, chances, strict=True):
                 total = total + chance * component.lobe.pdf(xp, wi, wo)
-            return Geometry(xp, *(Vector(w[..., 0], w[..., 1], w[..., 2]) for w in (wi, wo))).above_horizon(total)
+            return Geometry(xp, Vector.split(wi), Vector.split(wo)).above_horizon(total)
 
     def directional_albedo(self, wi: Array, *, nodes: tuple[int, int] = (48, 64)) -> Array:
         """The share of light from ``wi`` that the surface reflects: the integral of eval cos(theta_r) over ``wo``.

@@ -49,10 +49,6 @@ class Lobe(ABC):
         return [(self, 1.0)]
 
 
-def _components(w: Array) -> Vector:
-    return Vector(w[..., 0], w[..., 1], w[..., 2])
-
-
 @dataclass(frozen=True)
 class CosineLobe(Lobe):
     """Proportional to cos(theta_r): for diffuse surfaces."""
@@ -89,13 +85,13 @@ class FacetLobe(Lobe):
         theta_h, azimuth = xp.minimum(theta_h, HALF_PI), TWO_PI * u[..., 1]
         sin_theta_h = xp.sin(theta_h)
         x, y, z = sin_theta_h * xp.cos(azimuth), sin_theta_h * xp.sin(azimuth), xp.cos(theta_h)
-        i = _components(wi)
+        i = Vector.split(wi)
         twice = 2 * (i.x * x + i.y * y + i.z * z)
         return xp.stack([twice * x - i.x, twice * y - i.y, twice * z - i.z])
 
     def pdf(self, xp: Array, wi: Array, wo: Array) -> Array:
         # A sample below the horizon, or from behind its facet, has wo.z <= 0 and no density: `BRDF.pdf` masks it.
-        geometry = Geometry(xp, _components(wi), _components(wo))
+        geometry = Geometry(xp, Vector.split(wi), Vector.split(wo))
         theta_h, sin_theta_h = geometry.theta_h, geometry.sin_theta_h
         ratio = xp.where(sin_theta_h > 1e-6, theta_h / xp.maximum(sin_theta_h, 1e-6), 1.0)
         normaliser = 4 * 0.5 * TWO_PI * self.sigma_s * self.sigma_s * self._inside(xp)
@@ -138,7 +134,7 @@ class PhaseLobe(Lobe):
         return xp.stack([x, y, xp.maximum(xp.maximum(z, -z), SMALLEST_COSINE)])
 
     def pdf(self, xp: Array, wi: Array, wo: Array) -> Array:
-        i, o = _components(wi), _components(wo)
+        i, o = Vector.split(wi), Vector.split(wo)
 
         def density(z: Array) -> Array:
             add = Vector(i.x + o.x, i.y + o.y, i.z + z)
