@@ -34,6 +34,8 @@ LABELS = {
     "pieces32": "Motes float32, (N, 3)",
     "rows64": "Motes float64, (3, N)",
     "pieces64": "Motes float64, (N, 3)",
+    "expanded": "`model.eval`, float64, as many pairs in arrays (N, N, 3)",
+    "outer": "`model.eval`, float64, (N, 1, 3) with (1, N, 3)",
     "gradient": f"Motes float32, gradient by {PARAMETERS} parameters",
     "numpy": "NumPy float32, the equations as they stand",
     "blocks": "NumPy float32, traced, in blocks, one core",
@@ -82,6 +84,10 @@ def own_candidates(arrays: Arrays, pool: ThreadPoolExecutor) -> Candidates:
     seed = np.ones((3, n), np.float32)
     source = np.ones(n * roof.BYTES // 8, np.float32)  # as many bytes read as written
     target = np.zeros_like(source)
+    side = int(np.sqrt(n))
+    lights, views = (np.ascontiguousarray(w[:side]) for w in double_pieces)
+    across, along = lights[:, None], views[None]
+    pairs = [np.ascontiguousarray(np.broadcast_to(w, (side, side, 3))) for w in (across, along)]
     edges = np.linspace(0, len(source), rivals.cores() + 1).astype(int).tolist()
 
     def copies() -> None:
@@ -100,12 +106,14 @@ def own_candidates(arrays: Arrays, pool: ThreadPoolExecutor) -> Candidates:
         "pieces32": lambda: engine.evaluate(SURFACE, *arrays.pieces, out=arrays.out_pieces),
         "rows64": lambda: engine.evaluate(SURFACE, *(w.T for w in arrays.doubles), out=arrays.out_doubles.T),
         "pieces64": lambda: engine.evaluate(SURFACE, *double_pieces, out=out_double_pieces),
+        "expanded": lambda: SURFACE.eval(*pairs),
+        "outer": lambda: SURFACE.eval(across, along),
         "gradient": lambda: engine.vjp(SURFACE, a.T, b.T, seed.T),
         "numpy": lambda: rivals.plain_numpy(*arrays.pieces),
         "blocks": blocks(rivals.numpy_blocks),
         "blocks_all": blocks(rivals.numpy_blocks_on_all_cores, pool),
     }
-    return {name: (call, n) for name, call in calls.items()}
+    return {name: (call, side * side if name in ("expanded", "outer") else n) for name, call in calls.items()}
 
 
 def check(name: str, found: Rows, expected: Rows) -> None:
@@ -176,6 +184,7 @@ def report(n: int, timings: dict[str, Timing], skipped: list[str], rounds: int) 
     figures["over_numpy_cpu"] = main.cheaper_than(timings["numpy"])
     figures["over_blocks"] = main.faster_than(timings["blocks_all"])
     figures["gradient_cost"] = timings[MAIN].faster_than(timings["gradient"])
+    figures["outer_cost"] = timings["expanded"].faster_than(timings["outer"])
     figures["gradient_cost_cpu"] = timings[MAIN].cheaper_than(timings["gradient"])
     for name in ("torch", "roughplastic", "principled", "motes_dusty"):
         if name in timings:
@@ -188,6 +197,7 @@ def report(n: int, timings: dict[str, Timing], skipped: list[str], rounds: int) 
         Goal(f"{what} over NumPy as it stands", "over_numpy", 50, unit=" x"),
         Goal(f"float32 (N, 3) over {what}", "pieces32_share", 0.5, unit=" x"),
         Goal("float64 (3, N)", "rows64_rate", 100, unit=" M/s"),
+        Goal("an outer product, in evaluations of its pairs expanded", "outer_cost", 1.3, at_least=False, unit=" x"),
         Goal(f"gradient by {PARAMETERS} parameters, in evaluations", "gradient_cost", 2, at_least=False, unit=" x"),
     ]
     rows = [
@@ -235,6 +245,9 @@ def reading(timings: dict[str, Timing], figures: dict[str, Number], top: str) ->
     )
     if "torch" in timings:
         lines.append("Over PyTorch's compiler, handed the same traced formula, it is {over_torch} by wall time.")
+    lines.append(
+        "An outer product, whose rows are computed where they lie, costs {outer_cost} of its pairs written out."
+    )
     lines.append(
         "A gradient by all parameters costs {gradient_cost} evaluations ({gradient_cost_cpu} by processor time)."
     )

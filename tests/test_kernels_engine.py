@@ -143,6 +143,21 @@ def test_large_evaluations_of_models_go_through_the_engine(monkeypatch: pytest.M
     assert calls
 
 
+def test_what_counts_is_the_number_of_pairs(monkeypatch: pytest.MonkeyPatch) -> None:
+    """An outer product, or parameters that vary, are many values made of few directions."""
+    calls = []
+    evaluate = engine.evaluate
+    monkeypatch.setattr(engine, "evaluate", lambda *args: calls.append(args) or evaluate(*args))
+    monkeypatch.setattr(engine, "THRESHOLD", 200)
+    wi, wo = upper_directions(20, 9)[:, None], upper_directions(10, 10)
+    DUSTY.eval(wi, wo)
+    assert len(calls) == 1
+    Lambert(np.full((200, 1), 0.5)).eval([0, 0, 1], [0, 0, 1])
+    assert len(calls) == 2
+    DUSTY.eval(wi[:19], wo)
+    assert len(calls) == 2
+
+
 @pytest.mark.parametrize("count", [1, 7, TILE - 1, TILE, TILE + 1, engine.CHUNK, 2 * engine.CHUNK + 3])
 def test_any_number_of_directions(count: int) -> None:
     wi, wo = upper_directions(count, 11), upper_directions(count, 12)
@@ -212,6 +227,52 @@ def test_directions_broadcast(first: tuple[int, ...], second: tuple[int, ...]) -
     found = engine.evaluate(DUSTY, wi, wo)
     assert found.shape == (*np.broadcast_shapes(first, second), 3)
     assert errors(found, reference(DUSTY, wi, wo)).max() < 1e-12
+
+
+OUTER = {
+    "long rows": ((70, 1), (1, 2000)),
+    "rows longer than a chunk": ((3, 1), (1, engine.CHUNK + 77)),
+    "short rows": ((9000, 1), (1, 5)),
+    "one after the other, and repeated": ((40, 1000), (40, 1)),
+    "three axes": ((7, 1, 600), (1, 30, 1)),
+    "three axes, the last one short": ((60, 1, 40), (1, 50, 1)),
+    "a slab of more than a chunk": ((4, 1, 3), (1, 20_000, 1)),
+}
+
+
+@pytest.mark.parametrize("name", OUTER)
+@pytest.mark.parametrize("scalar", [np.float32, np.float64])
+def test_an_outer_product_is_its_pairs(name: str, scalar: type) -> None:
+    """Wherever rows are computed: values, into an array that is given, and gradients.
+
+    Bits may differ in the last place: where a tile ends, another tail of the vector instructions computes."""
+    first, second = OUTER[name]
+    wi = upper_directions(int(np.prod(first)), 15).reshape(*first, 3).astype(scalar)
+    wo = upper_directions(int(np.prod(second)), 16).reshape(*second, 3).astype(scalar)[..., ::-1, :]
+    shape = np.broadcast_shapes(first, second)
+    pairs = [np.ascontiguousarray(np.broadcast_to(w, (*shape, 3))) for w in (wi, wo)]
+    expected = engine.evaluate(DUSTY, *pairs)
+    found = engine.evaluate(DUSTY, wi, wo)
+    np.testing.assert_allclose(found, expected, rtol=1e-13 if scalar is np.float64 else 1e-5)
+    out = np.full((*shape, 3), np.nan, scalar)
+    assert engine.evaluate(DUSTY, wi, wo, out=out) is out
+    assert np.array_equal(out, found)
+    seed = np.random.default_rng(3).random((*shape, 3))
+    gradients = [engine.vjp(DUSTY, *w, seed) for w in ((wi, wo), pairs)]
+    for slot, gradient in gradients[0].items():
+        np.testing.assert_allclose(gradient, gradients[1][slot], rtol=1e-11 if scalar is np.float64 else 2e-5)
+
+
+@pytest.mark.parametrize("name", OUTER)
+def test_an_outer_product_makes_no_copy_of_all_pairs(name: str) -> None:
+    first, second = OUTER[name]
+    wi, wo = (upper_directions(int(np.prod(s)), 15).reshape(*s, 3) for s in (first, second))
+    job = jobs.Job(DUSTY, wi, wo)
+    if name == "a slab of more than a chunk":  # short rows of more than two axes are copied
+        assert not np.may_share_memory(job.wi, wi)
+        return
+    assert np.may_share_memory(job.wi, wi)
+    assert np.may_share_memory(job.wo, wo)
 
 
 def test_integers_and_mixed_precision_are_computed_in_float64() -> None:

@@ -187,6 +187,25 @@ def test_view(tmp_path: Path) -> None:
     assert "ggx_eval_with(" in text  # the library of pieces has it, for materials that are dropped
 
 
+@pytest.mark.slow
+def test_view_in_a_browser(tmp_path: Path) -> None:
+    """The page knows the model, which its script does not; and puts a dropped material together with it."""
+    from viewer_support import Viewed, browser, driver
+
+    wi, wo = upper_directions(300, 7), upper_directions(300, 8)
+    page = tmp_path / "viewer.html"
+    motes.view(Material(paint(), name="new paint", channels=("R", "G", "B"))).save(page)
+    dropped = parse("dust_layer(ggx(K_s=0.2, alpha=0.4) + oren_nayar, tau=0.3)").model
+    with driver() as playwright, browser(playwright) as running, Viewed(running, page) as viewed:
+        viewed.settled()
+        np.testing.assert_allclose(viewed.evaluate(0, wi, wo), paint().eval(wi, wo), rtol=1e-4, atol=1e-5)
+        viewed.drop("material.json", json.dumps(Material(dropped, name="dropped").to_dict()))
+        viewed.wait("app.material(0).name === 'dropped' && !app.plotsDue")
+        found = viewed.evaluate(0, wi, wo)
+        np.testing.assert_allclose(found, np.broadcast_to(dropped.eval(wi, wo), found.shape), rtol=1e-4, atol=1e-5)
+        assert not viewed.errors
+
+
 EXACT = {"glsl", "wgsl", "hlsl", "c", "three", "merl", "csv"}  # the formula itself, or its values
 
 

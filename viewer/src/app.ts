@@ -5,6 +5,7 @@ import { button, section } from './controls';
 import { h } from './dom';
 import { accept, fileButton } from './drop';
 import { radianceMap } from './environment';
+import { declare } from './expression';
 import type { Payload } from './generated';
 import { Lobe } from './lobe';
 import type { Material, Values } from './material';
@@ -71,6 +72,7 @@ export class App {
     private readonly payload: Payload,
     private readonly host: Host,
   ) {
+    declare(payload.models);
     this.pair = new Pair(payload);
     this.meshes = new Meshes(payload.shapes);
     this.data = payload.measurement ? pointsFrom(payload.measurement) : null;

@@ -1,6 +1,6 @@
 // The shader of a material that was dropped: the printed pieces of Motes' library, called as its model says.  No equation is written here.
 
-import type { Model, Named, Slot } from './expression';
+import { baseOf, type Model, type Named, type Slot } from './expression';
 import { MODELS, type ShaderView } from './generated';
 import { Problem } from './problem';
 
@@ -29,12 +29,11 @@ export function assemble(model: Model, slots: readonly Slot[], library: Record<s
   };
   const expression = (part: Model): string => {
     if (part.kind === 'sum') return `(${expression(part.a)} + ${expression(part.b)})`;
-    if (part.name === 'dust_layer') {
-      // The base takes its parameters first; the printed layer lies on a Lambertian base, whose value is K_d/pi.
-      const base = expression(part.children['base']!);
-      return call('dust_layer', [`3.14159265358979 * ${base}`]);
-    }
-    return call(key(part), []);
+    const below = baseOf(part.name);
+    if (!below) return call(key(part), []);
+    // The base takes its parameters first; the printed layer lies on a Lambertian base, whose value is K_d/pi.
+    const base = expression(part.children[below.name]!);
+    return call(key(part), [`3.14159265358979 * ${base}`]);
   };
   const body = expression(model);
   const uniforms = slots.map((slot) => ({ name: `motes_${slot.name}`, slot: slot.name, size: slot.value.length }));
@@ -62,7 +61,7 @@ export function assemble(model: Model, slots: readonly Slot[], library: Record<s
 function key(part: Named): string {
   const words = MODELS[part.name]!.fields.flatMap((field) => {
     if (field.kind === 'option') return [part.options[field.name]!];
-    const inner = field.kind === 'child' ? part.children[field.name] : null;
+    const inner = field.kind === 'child' && field.place === 'fresnel' ? part.children[field.name] : null;
     return inner && inner.kind === 'named' ? [inner.name] : [];
   });
   return [part.name, ...words].join('_');

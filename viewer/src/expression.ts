@@ -1,6 +1,6 @@
 // Models as text, `oren_nayar + torrance_sparrow(fresnel=dielectric)`: the same that motes.models.parse reads.  Parsed, never executed.
 
-import { MODELS, type ChildDeclaration, type ParameterDeclaration } from './generated';
+import { MODELS, type ChildDeclaration, type ModelDeclaration, type ParameterDeclaration } from './generated';
 import { Problem, quoted } from './problem';
 
 export interface Sum {
@@ -29,6 +29,17 @@ export interface Slot {
 const TOKEN = /\s*([A-Za-z_]\w*|[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|'[^']*'|"[^"]*"|[()[\],=+])/y;
 const MOST_PARTS = 64;
 const LONGEST = 20_000;
+
+/** Make models known that Motes does not bring itself: those of the page. */
+export function declare(models: Record<string, unknown>): void {
+  Object.assign(MODELS, models as Record<string, ModelDeclaration>);
+}
+
+/** The part of a model that lies below a layer, if it is one. */
+export function baseOf(name: string): ChildDeclaration | null {
+  const found = MODELS[name]?.fields.find((field) => field.kind === 'child' && field.place === 'base');
+  return found?.kind === 'child' ? found : null;
+}
 
 /** The model that a text names. */
 export function parse(text: string): Model {
@@ -72,7 +83,7 @@ export function parse(text: string): Model {
     const fields = new Map(declaration.fields.map((field) => [field.name, field]));
     if (peek() !== '(') return checked(model);
     take('(');
-    const positional = declaration.fields.filter((field) => field.kind === 'child' && field.accepts !== 'fresnel');
+    const positional = declaration.fields.filter((field) => field.kind === 'child' && field.place !== 'fresnel');
     const seen = new Set<string>();
     while (peek() !== ')') {
       const key = /^[A-Za-z_]/.test(peek() ?? '') && tokens[position + 1] === '=' ? take() : (positional[seen.size]?.name ?? fail());
@@ -137,15 +148,22 @@ function tokenize(text: string): string[] {
 }
 
 function child(field: ChildDeclaration, model: Model, owner: string): Named | Sum {
-  const fits = model.kind === 'sum' ? field.accepts === 'brdf' : field.accepts === 'dust' ? model.name === 'dust' : (field.accepts === 'brdf') === MODELS[model.name]?.brdf;
+  const any = field.accepts === 'brdf' || field.accepts === 'fresnel';
+  const fits = model.kind === 'sum' ? field.accepts === 'brdf' : any ? (field.accepts === 'brdf') === MODELS[model.name]?.brdf : field.accepts === model.name;
   if (!fits) throw new Problem(`${owner}: ${field.name} is not a ${field.accepts}`, 'Correct the model');
   return model;
 }
 
 function checked(model: Named): Named {
-  if ('base' in model.children && !model.children['base']) throw new Problem(`${model.name} has no base`, 'Write dust_layer(oren_nayar), say');
-  const dust = model.children['dust'];
-  if (dust && dust.kind === 'named' && dust.options['form'] !== 'brdf') throw new Problem('The dust of a layer must have the form brdf', 'Leave its form out');
+  for (const field of MODELS[model.name]!.fields) {
+    if (field.kind !== 'child') continue;
+    const part = model.children[field.name];
+    if (field.required && !part) throw new Problem(`${model.name} has no ${field.name}`, `Write ${model.name}(oren_nayar), say`);
+    if (field.place !== 'cover' || part?.kind !== 'named') continue;
+    for (const option of MODELS[part.name]!.fields)
+      if (option.kind === 'option' && part.options[option.name] !== option.value)
+        throw new Problem(`The ${field.name} of ${model.name} must have the ${option.name} ${option.value}`, `Leave its ${option.name} out`);
+  }
   return model;
 }
 

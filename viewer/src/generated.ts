@@ -12,6 +12,7 @@ export interface ParameterDeclaration {
   open: boolean;
   typical: readonly [number, number];
   perChannel: boolean;
+  role: string | null;
   advice: string;
 }
 
@@ -25,7 +26,10 @@ export interface OptionDeclaration {
 export interface ChildDeclaration {
   kind: 'child';
   name: string;
-  accepts: 'brdf' | 'dust' | 'fresnel';
+  /** Any model ('brdf'), any Fresnel term ('fresnel'), or the model of that name. */
+  accepts: string;
+  place: 'term' | 'base' | 'cover' | 'fresnel';
+  required: boolean;
   value: string | null;
 }
 
@@ -42,7 +46,8 @@ export const MATERIAL_VERSION = 1;
 export const LARGEST_MATERIAL = 67108864;
 export const PAYLOAD_VERSION = 1;
 
-export const MODELS: Readonly<Record<string, ModelDeclaration>> = {
+/** Those of Motes itself; a page brings the others that it needs. */
+export const MODELS: Record<string, ModelDeclaration> = {
   "lambert": {
     "brdf": true,
     "summary": "A matte surface that looks equally bright from everywhere; its directional albedo is ``K_d``.",
@@ -62,6 +67,7 @@ export const MODELS: Readonly<Record<string, ModelDeclaration>> = {
           1
         ],
         "perChannel": true,
+        "role": "diffuse_colour",
         "advice": ""
       }
     ]
@@ -85,6 +91,7 @@ export const MODELS: Readonly<Record<string, ModelDeclaration>> = {
           1
         ],
         "perChannel": true,
+        "role": "diffuse_colour",
         "advice": ""
       },
       {
@@ -102,6 +109,7 @@ export const MODELS: Readonly<Record<string, ModelDeclaration>> = {
           1.5707963267948966
         ],
         "perChannel": false,
+        "role": "diffuse_roughness",
         "advice": ""
       }
     ]
@@ -125,6 +133,7 @@ export const MODELS: Readonly<Record<string, ModelDeclaration>> = {
           1
         ],
         "perChannel": true,
+        "role": "highlight_strength",
         "advice": ""
       },
       {
@@ -142,6 +151,7 @@ export const MODELS: Readonly<Record<string, ModelDeclaration>> = {
           0.8
         ],
         "perChannel": false,
+        "role": "highlight_width",
         "advice": ""
       },
       {
@@ -157,6 +167,8 @@ export const MODELS: Readonly<Record<string, ModelDeclaration>> = {
         "kind": "child",
         "name": "fresnel",
         "accepts": "fresnel",
+        "place": "fresnel",
+        "required": false,
         "value": null
       }
     ]
@@ -180,6 +192,7 @@ export const MODELS: Readonly<Record<string, ModelDeclaration>> = {
           1
         ],
         "perChannel": true,
+        "role": "single_scattering_albedo",
         "advice": ""
       },
       {
@@ -197,6 +210,7 @@ export const MODELS: Readonly<Record<string, ModelDeclaration>> = {
           0.8
         ],
         "perChannel": false,
+        "role": "asymmetry",
         "advice": "g > 0 scatters forward, g < 0 backward, 0 evenly"
       },
       {
@@ -218,12 +232,16 @@ export const MODELS: Readonly<Record<string, ModelDeclaration>> = {
         "kind": "child",
         "name": "base",
         "accepts": "brdf",
+        "place": "base",
+        "required": true,
         "value": null
       },
       {
         "kind": "child",
         "name": "dust",
         "accepts": "dust",
+        "place": "cover",
+        "required": false,
         "value": "dust"
       },
       {
@@ -241,6 +259,7 @@ export const MODELS: Readonly<Record<string, ModelDeclaration>> = {
           2
         ],
         "perChannel": false,
+        "role": "depth",
         "advice": ""
       }
     ]
@@ -264,6 +283,7 @@ export const MODELS: Readonly<Record<string, ModelDeclaration>> = {
           4
         ],
         "perChannel": true,
+        "role": "refractive_index",
         "advice": "Water 1.33, glass and varnish 1.5, diamond 2.4"
       }
     ]
@@ -287,6 +307,7 @@ export const MODELS: Readonly<Record<string, ModelDeclaration>> = {
           10
         ],
         "perChannel": true,
+        "role": "refractive_index",
         "advice": ""
       },
       {
@@ -304,6 +325,7 @@ export const MODELS: Readonly<Record<string, ModelDeclaration>> = {
           15
         ],
         "perChannel": true,
+        "role": "extinction",
         "advice": ""
       }
     ]
@@ -327,6 +349,7 @@ export const MODELS: Readonly<Record<string, ModelDeclaration>> = {
           1
         ],
         "perChannel": true,
+        "role": "normal_reflectance",
         "advice": ""
       }
     ]
@@ -441,5 +464,6 @@ export interface Payload {
   measurement: MeasurementView | null;
   notes: string[];
   library: Record<string, ShaderView>;
+  models: Record<string, unknown>;
   shapes: ShapesView;
 }

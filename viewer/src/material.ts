@@ -1,7 +1,7 @@
 // A material as the viewer works with it: from the page's data, or from a JSON that was dropped.
 
 import { assemble } from './assembly';
-import { parse, slots as slotsOf, type Model, type Slot } from './expression';
+import { baseOf, parse, slots as slotsOf, type Model, type Slot } from './expression';
 import { LARGEST_MATERIAL, MATERIAL_FORMAT, MATERIAL_VERSION, type MaterialJson, type MaterialView, type ShaderView, type TimeView } from './generated';
 import { Problem, quoted } from './problem';
 
@@ -79,7 +79,8 @@ export function fromJson(data: unknown, library: Record<string, ShaderView>): { 
 }
 
 function made(json: MaterialJson, model: Model, slots: Slot[], shader: ShaderView, time: TimeView | null, toSrgb: number[][], color: string, dropped: boolean): Material {
-  const tau = model.kind === 'named' && model.name === 'dust_layer' ? (slots.at(-1)?.name ?? null) : null;
+  const own = model.kind === 'named' && baseOf(model.name) ? slots.filter((slot) => slot.declared.role === 'depth') : [];
+  const tau = own.at(-1)?.name ?? null; // below a layer there may be others, and they come first
   return { name: json.name, model, slots, shader, time, toSrgb, color, channels: json.channels, wavelengths: json.wavelengths_nm ?? [], json, tau, dropped };
 }
 

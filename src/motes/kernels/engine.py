@@ -88,18 +88,11 @@ def evaluate(model: Parametrised, wi: ArrayLike, wo: ArrayLike, out: Array | Non
         kernel = _kernel("evaluation", job)
         constants = kernel.constants(job.uniform)
         varying = job.rows(kernel.varying)
+        others = (address(constants), address(varying), job.count, *place(target))
 
         def work(chunk: int, room: int) -> None:
-            kernel.driver(
-                *place(job.wi),
-                *place(job.wo),
-                address(constants),
-                address(varying),
-                job.count,
-                *place(target),
-                room,
-                *job.range(chunk),
-            )
+            for wi, wo, first, last in job.pieces(chunk):
+                kernel.driver(*wi, *wo, *others, room, first, last)
 
         job.run(work)
     if out is None:
@@ -140,11 +133,12 @@ def vjp(model: Parametrised, wi: ArrayLike, wo: ArrayLike, upstream: ArrayLike) 
     slopes = np.zeros_like(varying)
     totals = np.zeros((job.chunks, len(kernel.totals)))
 
+    others = (address(constants), address(varying), job.count, *place(seed), address(slopes))
+
     def work(chunk: int, room: int) -> None:
-        kernel.driver(
-            *place(job.wi), *place(job.wo), address(constants), address(varying), job.count, *place(seed),
-            address(slopes), address(totals[chunk]), room, *job.range(chunk),
-        )  # fmt: skip
+        sums = address(totals[chunk])
+        for wi, wo, first, last in job.pieces(chunk):
+            kernel.driver(*wi, *wo, *others, sums, room, first, last)
 
     job.run(work)
     return job.gathered(

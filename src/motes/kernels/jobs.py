@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import Any
+from collections.abc import Callable, Iterator, Sequence
+from functools import cached_property
+from itertools import pairwise
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,11 +17,48 @@ from motes.kernels.numba import TILE
 from motes.parameters import Parametrised, Slot
 
 CHUNK = 32 * TILE  # directions that a thread takes at a time
+# Rows of an outer product at least so long are computed where they are, one call of the driver each; shorter ones are copied, a chunk at a time.
+LONG = TILE // 2
 Array = NDArray[Any]
 
 
+class Piece(NamedTuple):
+    """Directions that one call of a driver computes, `first` to `last` of all, and where it finds each array: see `place`."""
+
+    wi: tuple[int, int, int]
+    wo: tuple[int, int, int]
+    first: int
+    last: int
+
+
+class _Rows(NamedTuple):
+    """Where the rows of a broadcast array (..., n, 3) lie, as numbers alone: there may be a thousand to a call."""
+
+    start: int
+    axes: tuple[tuple[int, int], ...]  # lengths and steps [bytes] of all axes before the rows, the last one first
+    length: int
+    step: int
+    stride: int
+    item: int
+
+    @classmethod
+    def of(cls, w: Array, shape: tuple[int, ...]) -> _Rows:
+        """Of an array of `shape` and 3 components, or of one (N, 3) with as many directions."""
+        w = w.reshape(*shape, 3)  # a view: it is one already, or (N, 3) in even steps
+        axes = zip(shape[-2::-1], w.strides[-3::-1], strict=True)
+        return cls(address(w), tuple(axes), shape[-1], w.strides[-2], w.strides[-1], w.itemsize)
+
+    def place(self, row: int) -> tuple[int, int, int]:
+        """See `place`, for an array of which only this row is there, in its place."""
+        at, rest = self.start - row * self.length * self.step, row
+        for length, step in self.axes:
+            rest, k = divmod(rest, length)
+            at += k * step
+        return at, self.step // self.item, self.stride // self.item
+
+
 class Job:
-    """Checked inputs of a call: directions as (N, 3) arrays, parameters as uniform numbers or values that vary."""
+    """Checked inputs of a call: directions (..., 3) that are broadcast, parameters as uniform numbers or values that vary."""
 
     def __init__(self, model: Parametrised, wi: ArrayLike, wo: ArrayLike) -> None:
         self.model = model
@@ -42,16 +81,47 @@ class Job:
             ) from None
         self.count = int(np.prod(self.shape))
         self.chunks = -(-self.count // CHUNK)
-        self.wi, self.wo = (self._flat(w) for w in (wi, wo))
+        self.wi, self.wo = (self._spread(w) for w in (wi, wo))
         self.varying = tuple(name for name, shape in batches.items() if np.prod(shape) != 1)
 
-    def _flat(self, w: Array) -> Array:
-        """Directions as (N, 3), without a copy where strides can say it."""
+    def _spread(self, w: Array) -> Array:
+        """Directions of the shape of the call, (N, 3) where strides can say it; a view in any case but of odd types and places."""
         w = w.astype(self.scalar, copy=False)
         if not w.flags.aligned:
             w = w.copy()
         w = np.broadcast_to(w, (*self.shape, 3))
-        return w if w.ndim == 2 else w.reshape(-1, 3)
+        whole = w.ndim <= 2 or _even(w) or (self.shape[-1] < LONG and self._slab > CHUNK)
+        return w.reshape(-1, 3) if whole else w
+
+    @property
+    def _slab(self) -> int:
+        """The number of directions to an entry of the first axis."""
+        return int(np.prod(self.shape[1:]))
+
+    def pieces(self, chunk: int) -> Iterator[Piece]:
+        """What to compute for a chunk: all of it at once, or the rows of an outer product."""
+        first, last = self.range(chunk)
+        if self.wi.ndim == self.wo.ndim == 2:
+            yield Piece(place(self.wi), place(self.wo), first, last)
+            return
+        length, slab = self.shape[-1], self._slab
+        if length < LONG:
+            begin, end = first // slab, -(-last // slab)
+            copies = [w if w.ndim == 2 else w[begin:end].reshape(-1, 3) for w in (self.wi, self.wo)]
+            starts = [0 if w.ndim == 2 else begin * slab for w in (self.wi, self.wo)]
+            moved = [_moved(w, start) for w, start in zip(copies, starts, strict=True)]
+            yield Piece(moved[0], moved[1], first, last)
+            return
+        wi, wo = self._rows
+        while first < last:
+            row = first // length
+            end = min(last, (row + 1) * length)
+            yield Piece(wi.place(row), wo.place(row), first, end)
+            first = end
+
+    @cached_property
+    def _rows(self) -> tuple[_Rows, _Rows]:
+        return _Rows.of(self.wi, self.shape), _Rows.of(self.wo, self.shape)
 
     def uniform(self, parameter: TracedParameter) -> float:
         """The value of a parameter that all directions share."""
@@ -97,6 +167,12 @@ def _batch(slot: Slot) -> tuple[int, ...]:
     return shape[:-1] if slot.parameter.per_channel else shape
 
 
+def _even(w: Array) -> bool:
+    """Whether all but the last axis of an array are one axis with even steps."""
+    axes = [(n, step) for n, step in zip(w.shape[:-1], w.strides[:-1], strict=True) if n != 1]
+    return all(step == n * inner for (_, step), (n, inner) in pairwise(axes))
+
+
 def _summed(x: Array, shape: tuple[int, ...]) -> Array:
     """`x` summed over the axes along which an array of `shape` was broadcast, in float64."""
     x = x.sum(axis=tuple(range(x.ndim - len(shape))), dtype=np.float64)
@@ -125,3 +201,9 @@ def address(x: Array) -> int:
 def place(x: Array) -> tuple[int, int, int]:
     """Address, step and stride in items of an array (N, k)."""
     return address(x), x.strides[0] // x.itemsize, x.strides[1] // x.itemsize
+
+
+def _moved(x: Array, first: int) -> tuple[int, int, int]:
+    """The place of an array (n, k) whose first entry is the one numbered `first`."""
+    start, step, stride = place(x)
+    return start - first * step * x.itemsize, step, stride

@@ -130,4 +130,5 @@ class Payload(TypedDict):
     measurement: MeasurementView | None
     notes: list[str]
     library: dict[str, ShaderView]
+    models: dict[str, Any]
     shapes: ShapesView

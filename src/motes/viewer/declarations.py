@@ -34,6 +34,7 @@ export interface ParameterDeclaration {
   open: boolean;
   typical: readonly [number, number];
   perChannel: boolean;
+  role: string | null;
   advice: string;
 }
 
@@ -47,7 +48,10 @@ export interface OptionDeclaration {
 export interface ChildDeclaration {
   kind: 'child';
   name: string;
-  accepts: 'brdf' | 'dust' | 'fresnel';
+  /** Any model ('brdf'), any Fresnel term ('fresnel'), or the model of that name. */
+  accepts: string;
+  place: 'term' | 'base' | 'cover' | 'fresnel';
+  required: boolean;
   value: string | null;
 }
 
@@ -63,18 +67,24 @@ export interface ModelDeclaration {
 
 def typescript() -> str:
     """The text of ``viewer/src/generated.ts``."""
-    models = {name: _model(cls) for name, cls in (registered(BRDF) | registered(Fresnel)).items()}
     lines = [_HEAD]
     lines += [f"export const MATERIAL_FORMAT = {json.dumps(material.Material(Lambert()).to_dict()['format'])};"]
     lines += [f"export const MATERIAL_VERSION = {material.VERSION};"]
     lines += [f"export const LARGEST_MATERIAL = {material.LARGEST_FILE};"]
     lines += [f"export const PAYLOAD_VERSION = {contract.VERSION};", ""]
-    lines += ["export const MODELS: Readonly<Record<string, ModelDeclaration>> = "]
-    lines[-1] += json.dumps(models, indent=2, ensure_ascii=False, allow_nan=False) + ";"
+    lines += ["/** Those of Motes itself; a page brings the others that it needs. */"]
+    lines += ["export const MODELS: Record<string, ModelDeclaration> = "]
+    lines[-1] += json.dumps(declared(own=True), indent=2, ensure_ascii=False, allow_nan=False) + ";"
     for cls in vars(contract).values():
         if isinstance(cls, type) and hasattr(cls, "__total__"):
             lines += ["", *_interface(cls)]
     return "\n".join(lines) + "\n"
+
+
+def declared(*, own: bool) -> dict[str, Any]:
+    """The declarations of all registered models and Fresnel terms by name: Motes' own, or all others."""
+    classes: dict[str, type[Parametrised]] = {**registered(BRDF), **registered(Fresnel)}
+    return {name: _model(cls) for name, cls in classes.items() if cls.__module__.startswith("motes.") is own}
 
 
 def plain_symbol(tex: str) -> str:
@@ -106,7 +116,8 @@ def _child(part: PartField) -> dict[str, Any]:
     kinds: dict[type, str] = {BRDF: "brdf", Fresnel: "fresnel"}
     accepts = kinds.get(part.accepts) or name_of(part.accepts)
     default = None if part.default is None else name_of(type(part.default))
-    return {"kind": "child", "name": part.name, "accepts": accepts, "value": default}
+    said = {"accepts": accepts, "place": part.place.name.lower(), "required": part.required, "value": default}
+    return {"kind": "child", "name": part.name, **said}
 
 
 def _parameter(p: Parameter) -> dict[str, Any]:
@@ -123,6 +134,7 @@ def _parameter(p: Parameter) -> dict[str, Any]:
         "open": p.open,
         "typical": list(p.typical),
         "perChannel": p.per_channel,
+        "role": p.role.name.lower() if p.role else None,
         "advice": p.advice,
     }
 

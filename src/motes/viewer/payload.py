@@ -30,6 +30,7 @@ from motes.viewer.contract import (
     TimeView,
     TrendView,
 )
+from motes.viewer.declarations import declared
 from motes.viewer.library import library, shader_view
 from motes.viewer.shipped_shapes import shapes
 
@@ -76,6 +77,7 @@ def payload(
         "measurement": points,
         "notes": [*notes, *([points["note"]] if points and points["note"] else [])],
         "library": library(),
+        "models": declared(own=False),
         "shapes": shapes(),
     }
 
