@@ -201,7 +201,7 @@ def test_what_cannot_be_shown_is_refused() -> None:
         view({})  # type: ignore[arg-type]
     with pytest.raises(ParameterError, match="K_d has shape"):
         view(Lambert(K_d=np.full((5, 3), 0.5)))
-    nothing = Measurement.from_arrays([[0, 0, 1.0]], [[0, 0, 1.0]], [-1.0])
+    nothing = Measurement.from_arrays([[0, 0, 1.0]], [[0, 0, 1.0]], [np.nan])
     with pytest.raises(DataError, match="has no usable sample"):
         view(ROCK, data=nothing)
     with pytest.raises(ParameterError, match="3 materials"):
