@@ -2,135 +2,19 @@
 
 from __future__ import annotations
 
-import struct
-import zlib
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 pytest.importorskip("zarr")
 
-import contextlib
-
 import measurement_files as files
+from image_files import PAETH, png_bytes, write_exr
 from motes import maps
-from motes.drawing.colour import srgb_encode
 from motes.errors import DataError, FormatError, MotesError
-from motes.images import png as _png
-from motes.maps.photographs import picture, srgb_decode
-
-PAETH = 4
-
-
-def png_bytes(pixels: np.ndarray, filters: list[int], kind: int | None = None, interlace: int = 0) -> bytes:
-    """A PNG by the book, each row with the filter asked for; pixels (y, x, C) of uint8 or uint16."""
-    height, width, channels = pixels.shape
-    bits = 8 * pixels.itemsize
-    raw = pixels.astype(f">u{pixels.itemsize}").tobytes()
-    step, line = channels * pixels.itemsize, channels * pixels.itemsize * width
-    rows = [list(raw[y * line : (y + 1) * line]) for y in range(height)]
-    out = bytearray()
-    for y, row in enumerate(rows):
-        f = filters[y % len(filters)]
-        out.append(f)
-        for x, value in enumerate(row):
-            a = row[x - step] if x >= step else 0
-            b = rows[y - 1][x] if y else 0
-            c = rows[y - 1][x - step] if y and x >= step else 0
-            nearest = min((a, b, c), key=lambda v: abs(a + b - c - v))  # the first of equals, as the standard wants
-            out.append((value - (0, a, b, (a + b) // 2, nearest)[f]) % 256)
-    kind = {1: 0, 2: 4, 3: 2, 4: 6}[channels] if kind is None else kind
-
-    def chunk(name: bytes, data: bytes) -> bytes:
-        return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
-
-    packed = zlib.compress(bytes(out))
-    parts = [packed[: len(packed) // 2], packed[len(packed) // 2 :]]  # the standard allows several IDAT
-    header = struct.pack(">IIBBBBB", width, height, bits, kind, 0, 0, interlace)
-    body = chunk(b"IHDR", header) + chunk(b"tEXt", b"a\0b") + b"".join(chunk(b"IDAT", p) for p in parts)
-    return _png.MAGIC + body + chunk(b"IEND", b"")
-
-
-@pytest.mark.parametrize("channels", [1, 2, 3, 4])
-@pytest.mark.parametrize("kind", [np.uint8, np.uint16])
-def test_png_of_every_filter(tmp_path: Path, channels: int, kind: type) -> None:
-    rng = np.random.default_rng(1)
-    smooth = np.add.outer(np.arange(11) * 5, np.arange(7) * 3)[..., None] + rng.integers(0, 40, (11, 7, channels))
-    pixels = (smooth * (1 if kind is np.uint8 else 251)).astype(kind)
-    (tmp_path / "a.png").write_bytes(png_bytes(pixels, [0, 1, 2, 3, PAETH, 3, 1]))
-    found, largest = _png.read(tmp_path / "a.png")
-    np.testing.assert_array_equal(found, pixels[..., : channels - 1 if channels in (2, 4) else channels])
-    assert largest == np.iinfo(kind).max
-
-
-def test_png_of_another_encoder(tmp_path: Path) -> None:
-    Image = pytest.importorskip("PIL.Image")
-    rng = np.random.default_rng(2)
-    ramp = np.linspace(0, 200, 60)[None, :, None] + np.linspace(0, 50, 40)[:, None, None]
-    pixels = (ramp + rng.integers(0, 5, (40, 60, 3))).astype(np.uint8)
-    Image.fromarray(pixels).save(tmp_path / "a.png", optimize=True)
-    np.testing.assert_array_equal(_png.read(tmp_path / "a.png")[0], pixels)
-    deep = (ramp[..., 0] * 257).astype(np.uint16)
-    Image.fromarray(deep).save(tmp_path / "b.png")
-    np.testing.assert_array_equal(_png.read(tmp_path / "b.png")[0][..., 0], deep)
-
-
-def test_damaged_png_are_refused(tmp_path: Path) -> None:
-    good = png_bytes(np.zeros((4, 5, 3), np.uint8), [0])
-
-    def with_size(width: int, height: int) -> bytes:
-        header = b"IHDR" + struct.pack(">II", width, height) + good[24:29]
-        return good[:12] + header + struct.pack(">I", zlib.crc32(header)) + good[33:]
-
-    bad = {
-        "no PNG": b"GIF89a" + good,
-        "damaged": good[:60] + b"\xff" + good[61:],
-        "has no header": _png.MAGIC,
-        "of 16 bits, colour type 3": png_bytes(np.zeros((4, 5, 1), np.uint16), [0], kind=3),
-        "interlaced": png_bytes(np.zeros((4, 5, 1), np.uint8), [0], interlace=1),
-        "more than it can hold": with_size(2**31 - 1, 2**31 - 1),
-        "is truncated": with_size(5, 6),
-        "filter that does not exist": png_bytes_with_filter_9(),
-    }
-    for words, data in bad.items():
-        (tmp_path / "a.png").write_bytes(data)
-        with pytest.raises(FormatError, match=words.replace("no PNG", "not a PNG")):
-            _png.read(tmp_path / "a.png")
-    rng = np.random.default_rng(3)
-    for _ in range(300):
-        data = bytearray(good[: rng.integers(8, len(good))])
-        data[rng.integers(0, len(data))] = rng.integers(0, 256)
-        (tmp_path / "a.png").write_bytes(bytes(data))
-        with contextlib.suppress(FormatError):
-            _png.read(tmp_path / "a.png")
-
-
-def png_bytes_with_filter_9() -> bytes:
-    """A picture whose row names a filter that there is not."""
-    data = zlib.compress(b"\x09" + bytes(3))
-    parts = [(b"IHDR", struct.pack(">IIBBBBB", 1, 1, 8, 2, 0, 0, 0)), (b"IDAT", data), (b"IEND", b"")]
-    return _png.MAGIC + b"".join(
-        struct.pack(">I", len(d)) + n + d + struct.pack(">I", zlib.crc32(n + d)) for n, d in parts
-    )
-
-
-def test_srgb_is_decoded_and_the_largest_code_is_clipped(tmp_path: Path) -> None:
-    codes = np.arange(256, dtype=np.uint8).reshape(16, 16, 1)
-    (tmp_path / "a.png").write_bytes(png_bytes(codes, [0]))
-    decoded = picture(tmp_path / "a.png", linear=False).ravel()
-    # The two anchors of IEC 61966-2-1, and the encoder of the report as its inverse.
-    assert decoded[0] == 0
-    assert decoded[128] == pytest.approx(0.21586, abs=1e-5)
-    np.testing.assert_array_equal(srgb_encode(decoded[:255]), codes.ravel()[:255])
-    assert np.isnan(decoded[255])
-    np.testing.assert_allclose(picture(tmp_path / "a.png", linear=True).ravel()[:255], np.arange(255) / 255, rtol=1e-6)
-    deep = np.array([[[0, 30000, 65535]]], np.uint16)
-    (tmp_path / "b.png").write_bytes(png_bytes(deep, [0]))
-    values = picture(tmp_path / "b.png", linear=False)[0, 0]
-    assert values[1] == pytest.approx(float(srgb_decode(np.array(30000 / 65535))), rel=1e-6)
-    assert np.isnan(values[2])
-
 
 # ---------------------------------------------------------------- folders
 
@@ -214,10 +98,10 @@ def test_times_viewers_and_gaps(tmp_path: Path) -> None:
         ("file,theta_i,phi_i,exposure\nlight00.exr,0,0,0\n", "Both are above 0"),
         ("file,theta_i,phi_i\nmissing.exr,0,0\n", "does not exist"),
         ("file,theta_i,phi_i\n../secret.exr,0,0\n", "outside the folder"),
-        ("file,theta_i,phi_i\nlight00.tiff,0,0\n", "PNG and OpenEXR"),
+        ("file,theta_i,phi_i\nlight00.gif,0,0\n", "is not a picture that is read"),
         ("file,theta_i,phi_i\nlight00.exr,0,0\nwide.exr,1,0\n", "All pictures are of one size"),
-        ("file,theta_i,phi_i\nbroken.exr,0,0\n", "not a complete OpenEXR"),
-        ("file,theta_i,phi_i\nlight00.exr,0,0\nbroken.png,0.1,0\n", "not a PNG"),
+        ("file,theta_i,phi_i\nbroken.exr,0,0\n", "no picture of a known format"),
+        ("file,theta_i,phi_i\nlight00.exr,0,0\nbroken.png,0.1,0\n", "no picture of a known format"),
     ],
 )
 def test_bad_tables_and_pictures_leave_nothing(tmp_path: Path, text: str, words: str) -> None:
@@ -254,3 +138,100 @@ def test_grey_pictures_and_what_is_there_already(tmp_path: Path) -> None:
     with pytest.raises(MotesError, match="exists and is not empty"):
         maps.import_images(folder, tmp_path / "out.zarr")
     assert maps.open_map(tmp_path / "out.zarr").shape == (3, 4)
+
+
+TRUTH = np.array([0.6, 0.4, 0.2])
+
+
+def lit(folder: Path, write: Callable[[Path, np.ndarray], None], suffix: str) -> Path:
+    """Pictures of a surface with K_d = TRUTH under four lights, each as `write` writes it."""
+    folder.mkdir()
+    rows = []
+    for k, (theta, phi) in enumerate(zip(THETA, PHI, strict=True)):
+        pixels = np.full((3, 4, 3), np.cos(np.radians(theta)) / np.pi) * TRUTH
+        write(folder / f"shot{k}{suffix}", pixels)
+        rows.append(f"shot{k}{suffix},{theta},{phi}")
+    (folder / "lights.csv").write_text("file,theta_i_deg,phi_i_deg\n" + "\n".join(rows) + "\n")
+    return folder
+
+
+@pytest.mark.parametrize(
+    "names", ["R G B A", "ViewLayer.Combined.R ViewLayer.Combined.G ViewLayer.Combined.B ViewLayer.Combined.A", "r g b"]
+)
+def test_layers_of_renderers_become_a_map(tmp_path: Path, names: str) -> None:
+    pytest.importorskip("OpenEXR")
+
+    def write(path: Path, pixels: np.ndarray) -> None:
+        planes = [*np.moveaxis(pixels.astype(np.float32), -1, 0), np.ones((3, 4), np.float32)]
+        write_exr(path, dict(zip(names.split(), planes, strict=False)))
+
+    stack = maps.import_images(lit(tmp_path / "shots", write, ".exr"), tmp_path / "out.zarr")
+    assert stack.channels == ("R", "G", "B")
+    fitted = maps.fit_map(stack, "lambert", out=tmp_path / "fit.zarr")
+    np.testing.assert_allclose(fitted.values("K_d")[:, :, 0], np.broadcast_to(TRUTH, (3, 4, 3)), rtol=1e-5)
+
+
+def test_layers_that_are_ambiguous_are_settled_by_the_option(tmp_path: Path) -> None:
+    pytest.importorskip("OpenEXR")
+
+    def write(path: Path, pixels: np.ndarray) -> None:
+        planes = np.moveaxis(pixels.astype(np.float32), -1, 0)
+        both = {
+            f"{layer}.{c}": p * (1 + (layer == "View.Direct"))
+            for layer in ("View.Combined", "View.Direct")
+            for c, p in zip("RGB", planes, strict=True)
+        }
+        write_exr(path, both)
+
+    folder = lit(tmp_path / "shots", write, ".exr")
+    with pytest.raises(
+        FormatError, match=r"2 layers with colours: View.Combined, View.Direct. Choose one: --layer View.Combined"
+    ):
+        maps.import_images(folder, tmp_path / "out.zarr")
+    assert not (tmp_path / "out.zarr").exists()
+    stack = maps.import_images(folder, tmp_path / "out.zarr", layer="View.Combined")
+    np.testing.assert_allclose(stack.texels(1, 1)[0] * np.pi, np.tile(TRUTH, (4, 1)), rtol=1e-5)
+    assert "the layer View.Combined of OpenEXR pictures" in stack.attributes["notes"]
+
+
+LINEAR = ((b"gAMA", (100000).to_bytes(4, "big")),)
+
+
+@pytest.mark.parametrize(
+    ("chunks", "options", "said"),
+    [
+        (LINEAR, {}, "pixels taken as linear: its gAMA chunk says 1"),
+        ((), {"linear": True}, "pixels taken as linear: as asked"),
+        ((), {"transfer": "linear"}, "pixels taken as linear: as asked"),
+        (((b"sRGB", b"\0"),), {"transfer": "linear"}, "pixels taken as linear: as asked"),
+    ],
+)
+def test_linear_png_are_taken_as_linear(tmp_path: Path, chunks: Any, options: Any, said: str) -> None:
+    def write(path: Path, pixels: np.ndarray) -> None:
+        path.write_bytes(png_bytes(np.round(pixels * 65535).astype(np.uint16), [PAETH], chunks=chunks))
+
+    stack = maps.import_images(lit(tmp_path / "shots", write, ".png"), tmp_path / "out.zarr", **options)
+    np.testing.assert_allclose(stack.texels(2, 3)[0] * np.pi, np.tile(TRUTH, (4, 1)), rtol=2e-3)
+    assert said in stack.attributes["notes"]
+    assert said in maps.open_map(stack.path).attributes["notes"]
+
+
+def test_pictures_that_say_different_things_are_counted(tmp_path: Path) -> None:
+    def write(path: Path, pixels: np.ndarray) -> None:
+        linear = path.stem != "shot3"
+        encoded = (
+            pixels if linear else np.where(pixels <= 0.0031308, 12.92 * pixels, 1.055 * pixels ** (1 / 2.4) - 0.055)
+        )
+        path.write_bytes(png_bytes(np.round(encoded * 65535).astype(np.uint16), [0], chunks=LINEAR if linear else ()))
+
+    stack = maps.import_images(lit(tmp_path / "shots", write, ".png"), tmp_path / "out.zarr")
+    np.testing.assert_allclose(stack.texels(2, 3)[0] * np.pi, np.tile(TRUTH, (4, 1)), rtol=2e-3)
+    notes = " ".join(stack.attributes["notes"])
+    assert "gAMA chunk says 1 (3 of 4 pictures)" in notes
+    assert "by custom they are then sRGB (1 of 4 pictures)" in notes
+
+
+def test_both_linear_and_another_transfer_function_are_refused(tmp_path: Path) -> None:
+    folder = lit(tmp_path / "shots", lambda path, pixels: path.write_bytes(b""), ".png")
+    with pytest.raises(MotesError, match="both linear and the transfer function 'srgb'"):
+        maps.import_images(folder, tmp_path / "out.zarr", linear=True, transfer="srgb")

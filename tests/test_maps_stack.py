@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import shlex
+import subprocess
 import sys
 from pathlib import Path
 from typing import Any
@@ -19,7 +21,7 @@ from motes import maps
 from motes.directions import from_spherical
 from motes.errors import DataError, FormatError, MissingExtraError, MotesError, ParameterError
 from motes.maps.blocks import LARGE, SMALL, Blocks, block_shape
-from motes.maps.opening import AXES
+from motes.maps.zarrs import AXES
 
 WI = from_spherical(np.radians([10.0, 30.0, 50.0, 70.0]), np.radians([0.0, 90.0, 180.0, 270.0]))
 UP = (0.0, 0.0, 1.0)
@@ -164,10 +166,55 @@ def rewritten(path: Path, drop: str, **arrays: Any) -> Path:
     return made.path
 
 
+def obeyed(folder: Path, monkeypatch: pytest.MonkeyPatch) -> maps.MapStack:
+    """What comes of the command in the hint, run as it is printed."""
+    monkeypatch.chdir(folder.parent)
+    with pytest.raises(FormatError) as refusal:
+        maps.open_map(folder.name)
+    _, _, command = refusal.value.hint.partition(": ")
+    words = shlex.split(command)
+    assert words[:2] == ["python", "-c"]
+    subprocess.run([sys.executable, *words[1:]], check=True, timeout=120)
+    return maps.open_map(f"{folder.stem}-again.zarr")
+
+
+@pytest.mark.parametrize("name", ["old.zarr", "it's $HOME, 'old' \"one\".zarr"])
+@pytest.mark.parametrize("by", ["xarray", "zarr"])
+def test_the_hint_for_version_2_runs(tmp_path: Path, by: str, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("dask")
+    made = small(tmp_path / "new.zarr")
+    made.write(0, 0, np.random.default_rng(1).random((6, 5, *made.sizes)))
+    old = tmp_path / name
+    if by == "xarray":
+        dataset = xarray.open_zarr(str(made.path), consolidated=False).drop_encoding()
+        dataset.to_zarr(str(old), zarr_format=2)  # with Blosc, which version 3 does not take over
+    else:
+        group = zarr.create_group(str(old), zarr_format=2)
+        for key, array in zarr.open_group(str(made.path), mode="r", use_consolidated=False).arrays():
+            group.create_array(key, shape=array.shape, dtype=array.dtype, chunks=array.chunks)[...] = array[...]
+        group.attrs.update({"channels": ["R", "G", "B"]})
+    found = obeyed(old, monkeypatch)
+    assert found.channels == made.channels
+    np.testing.assert_array_equal(found.wi, made.wi)
+    np.testing.assert_array_equal(found.hours, made.hours)
+    np.testing.assert_array_equal(found.texels(1, 2), made.texels(1, 2))
+
+
+def test_the_hint_for_axes_in_another_order_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    made = small(tmp_path / "new.zarr")
+    made.write(0, 0, np.random.default_rng(1).random((6, 5, *made.sizes)))
+    turned = xarray.open_zarr(str(made.path), consolidated=False).transpose(
+        "time", "direction", "channel", "y", "x", ...
+    )
+    turned.drop_encoding().to_zarr(str(tmp_path / "turned.zarr"), zarr_format=3, consolidated=False)
+    found = obeyed(tmp_path / "turned.zarr", monkeypatch)
+    np.testing.assert_array_equal(found.texels(1, 2), made.texels(1, 2))
+
+
 def test_wrong_axes_say_what_to_do(tmp_path: Path) -> None:
     values = np.zeros((5, 6, 2, 4, 3), "f4")
     swapped = rewritten(tmp_path / "a.zarr", "f_r", values=values, dims=("x", "y", *AXES[2:]))
-    refused(swapped, "axes (x, y, time, direction, channel)", "ds.transpose('y', 'x'")
+    refused(swapped, "axes (x, y, time, direction, channel)", ".transpose(")
     other = rewritten(tmp_path / "b.zarr", "f_r", values=values, dims=("y", "x", "time", "angle", "channel"))
     refused(other, "axes (y, x, time, angle, channel)", "dimension_names")
     static = rewritten(
@@ -221,7 +268,7 @@ def test_a_new_map_does_not_overwrite(tmp_path: Path) -> None:
 def test_the_extra_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     small(tmp_path / "a.zarr")
     monkeypatch.setitem(sys.modules, "zarr", None)
-    with pytest.raises(MissingExtraError, match=r"zarr.*motes\[scale\]"):
+    with pytest.raises(MissingExtraError, match=r"zarr.*pip install.*\[scale\]"):
         maps.open_map(tmp_path / "a.zarr")
 
 

@@ -13,7 +13,8 @@ import measurement_files as files
 from motes.errors import FormatError, MissingExtraError, ParameterError
 from motes.measurements import ParameterMaps, read
 
-pytest.importorskip("OpenEXR")
+pytest.importorskip("OpenEXR")  # which writes the pictures
+pytest.importorskip("OpenImageIO")
 
 
 def coefficients(size: tuple[int, int] = (3, 4)) -> dict[str, np.ndarray]:
@@ -105,7 +106,7 @@ def test_incomplete_and_damaged_folders(tmp_path: Path):
     # a header that claims 2^31 pixels is refused before it is decoded
     at = good.index(b"dataWindow") + len(b"dataWindow\0box2i\0") + 4
     (folder / "Specular-1.exr").write_bytes(good[: at + 8] + b"\xb0\xb3\0\0" * 2 + good[at + 16 :])
-    with pytest.raises(FormatError, match="sane size"):
+    with pytest.raises(FormatError, match=r"MiB of memory|cannot be decoded"):
         read(folder)
     for name in ("Roughness-0.exr", "Roughness-1.exr"):
         (folder / name).unlink()
@@ -113,11 +114,23 @@ def test_incomplete_and_damaged_folders(tmp_path: Path):
         read(folder)
 
 
-def test_without_openexr_the_extra_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+def test_without_the_library_the_extra_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     folder = files.staf_folder(tmp_path, coefficients())
-    monkeypatch.setitem(__import__("sys").modules, "OpenEXR", None)
-    with pytest.raises(MissingExtraError, match=r"OpenEXR.*motes\[exr\]"):
+    monkeypatch.setitem(__import__("sys").modules, "OpenImageIO", None)
+    with pytest.raises(MissingExtraError, match=r"OpenImageIO.*pip install.*\[exr\]"):
         read(folder)
+
+
+def test_nothing_is_claimed_that_the_files_do_not_say(tmp_path: Path):
+    plain = read(files.staf_folder(tmp_path / "a", {**coefficients(), "Roughness": np.full((1, 3, 4, 3), 0.125)}))
+    assert "do not say whose it is" in plain.provenance["source"]
+    assert not any("texture" in note or "not read" in note for note in plain.provenance["notes"])
+    c = coefficients() | {"Height": np.ones((2, 3, 4, 3)), "Normal": np.ones((1, 3, 4, 3))}
+    notes = read(files.staf_folder(tmp_path / "b", c)).provenance["notes"]
+    assert notes[0] == "not read, for the model has no place for it: Height-0.exr, Height-1.exr, Normal-0.exr"
+    assert "look like those of a texture set" in notes[1]
+    smooth = read(files.staf_folder(tmp_path / "c", {**coefficients(), "Roughness": np.full((1, 3, 4, 3), 0.75)}))
+    assert "a Roughness (mean 0.75 at t = 0)" in smooth.provenance["notes"][0]
 
 
 def test_real_means(shared_file):

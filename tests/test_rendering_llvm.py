@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from motes.errors import install_command
 from motes.rendering import llvm
 
 OLD = sorted(
@@ -128,7 +129,7 @@ def test_without_any_llvm_the_preview_is_slow_and_says_so(tmp_path: Path) -> Non
     assert "a thousand times slower" in note
     assert f"no LLVM 17 or later was found ({nowhere}: " in note
     if sys.platform == "linux" and platform.machine() == "x86_64":
-        assert "Run pip install 'motes[render]'" in note
+        assert f"Run {install_command('render')}" in note
     done = python(MOTES + "load_mitsuba('llvm_ad_rgb')", tmp_path, nowhere, found="[]")
     assert done.returncode == 1
     assert "motes.errors.MotesError: the variant llvm_ad_rgb cannot run" in done.stderr.splitlines()[-1]

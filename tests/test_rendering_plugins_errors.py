@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from motes.errors import FormatError, MotesError, ParameterError
+from motes.errors import FormatError, MotesError, ParameterError, install_command
 from motes.material import Material
 from motes.models import Dust, Lambert, OrenNayar
 from motes.rendering import load_mitsuba, load_scene, register
@@ -182,7 +182,8 @@ for call in (load_mitsuba, register):
         print(error)
 """
     out = subprocess.check_output([sys.executable, "-c", script], text=True).splitlines()
-    assert out == ["rendering needs the package mitsuba, which is not installed. pip install 'motes[render]'"] * 2
+    told = f"rendering needs the package mitsuba, which is not installed. {install_command('render')}"
+    assert out == [told] * 2
 
 
 def test_registering_twice_does_no_harm(mi: Any) -> None:

@@ -226,7 +226,7 @@ def test_without_anywidget_the_extra_is_named(monkeypatch: pytest.MonkeyPatch) -
 
     widget.widget_class.cache_clear()
     monkeypatch.setitem(sys.modules, "anywidget", None)
-    with pytest.raises(MissingExtraError, match=r"motes\[notebook\]"):
+    with pytest.raises(MissingExtraError, match=r"pip install.*\[notebook\]"):
         view(ROCK).widget  # noqa: B018
 
 

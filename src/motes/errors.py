@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import shlex
+from pathlib import Path
+
 
 class MotesError(Exception):
     """Something a user can mend.
@@ -35,10 +38,16 @@ class DataError(MotesError, ValueError):
     """Measurements that cannot be used as they are: nothing left unmasked, directions that are not unit vectors."""
 
 
+def install_command(extra: str) -> str:
+    """The command that installs an extra: of the folder that Motes runs from, or, where it was installed from one, to be run in that folder."""
+    root = Path(__file__).resolve().parents[2]
+    if (root / "pyproject.toml").is_file() and (root / "src" / "motes").is_dir():
+        return f"pip install -e {shlex.quote(f'{root}[{extra}]')}"
+    return f"In the folder of Motes' source: pip install '.[{extra}]'"
+
+
 class MissingExtraError(MotesError, ImportError):
     """An optional dependency that is not installed."""
 
     def __init__(self, package: str, extra: str, purpose: str) -> None:
-        super().__init__(
-            f"{purpose} needs the package {package}, which is not installed", f"pip install 'motes[{extra}]'"
-        )
+        super().__init__(f"{purpose} needs the package {package}, which is not installed", install_command(extra))

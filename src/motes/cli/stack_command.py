@@ -17,6 +17,8 @@ def stack(
     output: Annotated[str | None, Parameter(name=["--output", "-o"])] = None,
     table: str | None = None,
     linear: Annotated[bool, Parameter(negative="")] = False,
+    transfer: str | None = None,
+    layer: str | None = None,
     chunk: Whole = 64,
     common: Common = Common(),  # noqa: B008 (an immutable value)
 ) -> int:
@@ -29,13 +31,17 @@ def stack(
     Parameters
     ----------
     folder
-        The pictures, PNG (8 or 16 bits) or OpenEXR, and the table.
+        The pictures, OpenEXR, PNG, TIFF or JPEG, and the table.
     output
         The Zarr store to write; NAME.zarr when not given.
     table
         The CSV, where the folder holds several.
     linear
-        PNG pictures hold linear values; without it they are decoded from sRGB.
+        The pictures hold linear values, whatever they say of themselves.
+    transfer
+        linear, srgb or an exponent such as 2.2: what the numbers are, where a picture does not say it or says it wrongly.
+    layer
+        The layer of OpenEXR pictures that have several, such as ViewLayer.Combined, or one of their channels.
     chunk
         Texels along a side of a chunk.
     """
@@ -49,7 +55,9 @@ def stack(
         raise MotesError(f"--chunk {chunk} is below 1", "64 is a good size")
     out = Path(output) if output is not None else Path(f"{paths.slug(source.resolve().name)}.zarr")
     with console.progress(common, "pictures") as step:
-        made = import_images(source, out, table=table, linear=linear, chunk=chunk, progress=step)
+        made = import_images(
+            source, out, table=table, linear=linear, transfer=transfer, layer=layer, chunk=chunk, progress=step
+        )
     if common.json:
         console.print_json(made.summary())
     elif not common.quiet:

@@ -1,1 +1,1 @@
-"""Picture files: OpenEXR and PNG."""
+"""Picture files by OpenImageIO: OpenEXR, PNG, TIFF and JPEG, and what their numbers mean."""

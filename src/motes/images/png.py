@@ -1,113 +1,115 @@
-"""PNG pictures of 8 and 16 bits as arrays (PNG, ISO 15948).
+"""What a PNG says of its numbers, and whether it is whole: the chunks before the pixels, and all checksums (PNG, ISO 15948, third edition).
 
-A hundred lines rather than an imaging library, because the common one reduces 16-bit colour to 8 bits.  Pictures with a palette, of fewer bits, or
-interlaced are refused.
+The pixels are decoded by OpenImageIO, which hands on neither cHRM nor cICP.
 """
 
 from __future__ import annotations
 
 import struct
 import zlib
-from functools import cache
 from pathlib import Path
-from typing import Any
-
-import numpy as np
-from numpy.typing import NDArray
 
 from motes.errors import FormatError
+from motes.images import transfer
+from motes.images.transfer import Transfer
 
 MAGIC = b"\x89PNG\r\n\x1a\n"
-CHANNELS = {0: 1, 2: 3, 4: 2, 6: 4}  # by the colour type: grey, RGB, grey and alpha, RGB and alpha
-LARGEST_FILE, LARGEST_RATIO = 2**31, 1100  # deflate shrinks by at most 1032
+LARGEST_FILE = 2**31
+LARGEST_PROFILE = 16 * 2**20
+_PRIMARIES = {1: transfer.SRGB, 9: transfer.BT2020, 12: transfer.P3_D65}  # of cICP, ITU-T H.273
+_CURVES = {8: "linear", 13: "srgb"}
 
 
-def read(path: Path) -> tuple[NDArray[Any], int]:
-    """Pixels (y, x, C) as stored, uint8 or uint16, without alpha; and the largest code.
+def chunks_of(path: Path) -> dict[bytes, bytes]:
+    """The chunks before the pixels by name, once the whole file is known to hold together.
 
     Raises
     ------
     FormatError
-        When the file is not such a picture, is truncated, or claims a size that it cannot hold.
+        When the file is no PNG, is damaged or cut short.
     """
     length = path.stat().st_size
     if length > LARGEST_FILE:
         raise FormatError(f"{path} has {length:,} bytes, too many for a picture", "Check the file")
     data = path.read_bytes()
     if not data.startswith(MAGIC):
-        raise FormatError(f"{path} is not a PNG picture; it starts with {data[:8]!r}", "Give PNG or OpenEXR pictures")
-    chunks = _chunks(path, data)
-    header = chunks.get(b"IHDR", b"")
-    if len(header) != 13:
+        raise FormatError(f"{path} is not a PNG picture; it starts with {data[:8]!r}", "Check the file")
+    chunks, whole = _chunks(path, data)
+    if len(chunks.get(b"IHDR", b"")) != 13:
         raise FormatError(f"{path} has no header", "The file is damaged; fetch it again")
-    width, height, bits, kind, _, _, interlaced = struct.unpack(">IIBBBBB", header)
-    if bits not in (8, 16) or kind not in CHANNELS or interlaced or not width or not height:
-        what = "interlaced" if interlaced else f"of {bits} bits, colour type {kind}"
-        raise FormatError(f"{path} is a PNG {what}", "Pictures of 8 or 16 bits, grey or RGB, not interlaced, are read")
-    channels = CHANNELS[kind]
-    step = channels * bits // 8
-    line = width * step
-    packed = chunks.get(b"IDAT", b"")
-    if height * (line + 1) > LARGEST_RATIO * len(packed) + 65536:
-        raise FormatError(f"{path} claims {width} x {height} pixels, more than it can hold", "The file is damaged")
-    try:
-        raw = zlib.decompressobj().decompress(packed, height * (line + 1))
-    except zlib.error as error:
-        raise FormatError(f"{path} cannot be decoded: {error}", "The file is damaged; fetch it again") from None
-    if len(raw) != height * (line + 1):
-        raise FormatError(f"{path} is truncated: {len(raw):,} of {height * (line + 1):,} bytes", "Fetch it again")
-    rows = np.frombuffer(raw, np.uint8).reshape(height, line + 1)
-    if (rows[:, 0] > 4).any():
-        raise FormatError(f"{path} uses a filter that does not exist", "The file is damaged; fetch it again")
-    pixels = np.empty((height, line), np.uint8)
-    _unfilter()(rows, step, pixels)
-    values = pixels.view(">u2").astype(np.uint16) if bits == 16 else pixels
-    values = values.reshape(height, width, channels)
-    return values[..., : channels - 1 if channels in (2, 4) else channels], 2**bits - 1
+    if not whole:
+        raise FormatError(f"{path} is cut short: its pixels or its end are missing", "Fetch or copy the file again")
+    return chunks
 
 
-def _chunks(path: Path, data: bytes) -> dict[bytes, bytes]:
-    """The chunks by name, those of one name put together; their checksums hold."""
-    found: dict[bytes, list[bytes]] = {}
-    at = len(MAGIC)
+def _chunks(path: Path, data: bytes) -> tuple[dict[bytes, bytes], bool]:
+    """The first chunk of each name before the pixels, and whether pixels and end follow; all checksums hold."""
+    found: dict[bytes, bytes] = {}
+    at, pixels = len(MAGIC), False
+    view = memoryview(data)
     while at + 12 <= len(data):
         length, name = struct.unpack_from(">I4s", data, at)
-        body = data[at + 8 : at + 8 + length]
         check = data[at + 8 + length : at + 12 + length]
-        if len(check) < 4 or zlib.crc32(name + body) != struct.unpack(">I", check)[0]:
+        if len(check) < 4 or zlib.crc32(view[at + 4 : at + 8 + length]) != struct.unpack(">I", check)[0]:
             raise FormatError(f"{path} is damaged at byte {at}", "Fetch or copy the file again")
-        found.setdefault(name, []).append(body)
+        pixels = pixels or name == b"IDAT"
         if name == b"IEND":
-            break
+            return found, pixels
+        if not pixels:
+            found.setdefault(name, data[at + 8 : at + 8 + length])
         at += 12 + length
-    return {name: b"".join(parts) for name, parts in found.items()}
+    return found, False
 
 
-@cache
-def _unfilter() -> Any:
-    """The five filters undone, byte by byte: compiled when the first picture is read."""
-    import numba
+def transfer_of(path: Path, chunks: dict[bytes, bytes]) -> Transfer | None:
+    """What the numbers are by these chunks, None where none says it; by the order of precedence of the standard: cICP, iCCP, sRGB, then gAMA and cHRM.
 
-    @numba.njit(nogil=True)
-    def unfilter(rows: Any, step: int, out: Any) -> None:
-        height, line = out.shape
-        for y in range(height):
-            kind = rows[y, 0]
-            for x in range(line):
-                left = np.int64(out[y, x - step]) if x >= step else np.int64(0)
-                up = np.int64(out[y - 1, x]) if y > 0 else np.int64(0)
-                corner = np.int64(out[y - 1, x - step]) if y > 0 and x >= step else np.int64(0)
-                add = np.int64(0)
-                if kind == 1:
-                    add = left
-                elif kind == 2:
-                    add = up
-                elif kind == 3:
-                    add = (left + up) // 2
-                elif kind == 4:  # Paeth: of left, up and corner the one nearest to left + up - corner
-                    guess = left + up - corner
-                    a, b, c = abs(guess - left), abs(guess - up), abs(guess - corner)
-                    add = left if a <= b and a <= c else up if b <= c else corner
-                out[y, x] = np.uint8((np.int64(rows[y, x + 1]) + add) & 255)
+    Raises
+    ------
+    FormatError
+        When a chunk says what is not known.
+    """
+    if cicp := chunks.get(b"cICP"):
+        primaries, curve, matrix, full = struct.unpack("4B", cicp) if len(cicp) == 4 else (0, 0, 1, 0)
+        if primaries not in _PRIMARIES or curve not in _CURVES or matrix or not full:
+            raise FormatError(
+                f"{path}: its cICP chunk names the primaries {primaries} and the transfer function {curve}, which are not known here",
+                "Say what the numbers are: --transfer linear, srgb or an exponent",
+            )
+        own = _PRIMARIES[primaries]
+        return Transfer(_CURVES[curve], "its cICP chunk says so", primaries=None if own == transfer.SRGB else own)
+    if b"iCCP" in chunks:
+        return Transfer("icc", "its iCCP chunk holds it", profile=_profile(path, chunks[b"iCCP"]))
+    if b"sRGB" in chunks:
+        return Transfer("srgb", "its sRGB chunk says so")
+    if b"gAMA" not in chunks:
+        return None
+    gama = struct.unpack(">I", chunks[b"gAMA"])[0] if len(chunks[b"gAMA"]) == 4 else 0
+    gamma = 100000 / gama if gama else 0.0
+    if not transfer.LOWEST_GAMMA <= gamma <= transfer.HIGHEST_GAMMA:
+        raise FormatError(
+            f"{path}: its gAMA chunk says {gama / 1e5:g}, which is no transfer function",
+            "Say what the numbers are: --transfer linear, srgb or an exponent",
+        )
+    primaries_ = None
+    if len(chunks.get(b"cHRM", b"")) == 32:
+        white_first = [v / 1e5 for v in struct.unpack(">8I", chunks[b"cHRM"])]
+        own = (*white_first[2:], *white_first[:2])
+        primaries_ = None if transfer.same_primaries(own, transfer.SRGB) else own
+    kind = "linear" if abs(gama - 100000) <= 1 else "gamma"
+    return Transfer(kind, f"its gAMA chunk says {gama / 1e5:g}", gamma=gamma, primaries=primaries_)
 
-    return unfilter
+
+def _profile(path: Path, chunk: bytes) -> bytes:
+    _, _, rest = chunk.partition(b"\0")
+    try:
+        unpacker = zlib.decompressobj()
+        profile = unpacker.decompress(rest[1:], LARGEST_PROFILE)
+    except zlib.error:
+        profile = b""
+    if len(profile) < 128 or unpacker.unconsumed_tail:
+        raise FormatError(
+            f"{path}: the ICC profile in its iCCP chunk is damaged",
+            "Say what the numbers are: --transfer linear, srgb or an exponent",
+        )
+    return profile

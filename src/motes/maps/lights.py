@@ -13,11 +13,10 @@ from numpy.typing import NDArray
 from motes import directions
 from motes.errors import DataError, FormatError
 from motes.files import reading
+from motes.images.photograph import SUFFIXES
 from motes.measurements.table import TIMES
 
 Floats = NDArray[np.float64]
-
-PICTURES = (".exr", ".png")
 
 
 class Row(NamedTuple):
@@ -71,8 +70,10 @@ def rows_of(path: Path, folder: Path) -> list[Row]:
 
 def _row(entry: dict[str, str], where: str, folder: Path) -> Row:
     file = folder / entry["file"]
-    if file.suffix.lower() not in PICTURES:
-        raise FormatError(f"{where}: {entry['file'][:80]!r} is not a picture that is read", "PNG and OpenEXR are")
+    if file.suffix.lower() not in SUFFIXES:
+        raise FormatError(
+            f"{where}: {entry['file'][:80]!r} is not a picture that is read", f"{', '.join(SUFFIXES)} are"
+        )
     if not file.resolve().is_relative_to(folder.resolve()):
         raise FormatError(f"{where}: {entry['file'][:80]!r} is outside the folder", "Pictures stand in the folder")
     if not file.is_file():

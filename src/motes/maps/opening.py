@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -11,12 +12,11 @@ from numpy.typing import NDArray
 
 from motes.errors import DataError, FormatError
 from motes.maps import zarrs
+from motes.maps.zarrs import AXES, NAME
 from motes.measurements import policy
 
 Floats = NDArray[np.float64]
 
-NAME = "f_r"
-AXES = ("y", "x", "time", "direction", "channel")
 # What one is in hours, by the units that a time may have; those after "since" count from the first.
 UNITS = {
     **dict.fromkeys(("h", "hour", "hours", "hr", ""), 1.0),
@@ -40,7 +40,7 @@ def reflectance(members: Mapping[str, Any], folder: Path) -> Any:
         raise FormatError(f"{folder} has no array {NAME}; it holds {listed}", expected)
     if found[name] != AXES:
         hint = (
-            f"Bring them into order: ds.transpose({', '.join(repr(a) for a in AXES)}).to_zarr(...)"
+            "Bring them into order: " + zarrs.rewritten(folder, f".transpose({', '.join(map(json.dumps, AXES))}, ...)")
             if sorted(found[name]) == sorted(AXES)
             else expected
         )

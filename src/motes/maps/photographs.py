@@ -10,31 +10,33 @@ for linear pixels L: the exposure is what a radiance is multiplied by to give a 
 viewer are distant, one direction for all texels; pictures are of one size and registered, the surface flat and parallel to the picture, x to the right, y
 *upwards* in the local frame (row 0 of the picture is at the top).
 
-EXR pictures are linear.  PNG pictures of 8 or 16 bits are decoded as sRGB (IEC 61966-2-1) unless ``linear`` is asked for.  The largest code of a PNG
-is clipped: NaN, as is what is not finite in an EXR.
+What the numbers of a picture are, it says itself: EXR pictures are linear; PNG by the chunks cICP, iCCP, sRGB, gAMA and cHRM, and sRGB where there are none;
+TIFF and JPEG by their ICC profile or Exif data, and where they have none, ``transfer`` must say it (for all formats it stands above what a file says).  Other
+primaries than sRGB's are turned into those.  The largest code is clipped: NaN, as is what is not finite, what is transparent, and what lies outside an EXR's
+data window.
 """
 
 from __future__ import annotations
 
 import os
 import tempfile
+from collections import Counter
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
-from motes.channels import LUMINANCE, RGB, default_names
+from motes.channels import default_names
 from motes.errors import FormatError, MotesError
-from motes.images import exr as _exr
-from motes.images import png as _png
+from motes.images.photograph import Photograph, open_photograph
+from motes.images.transfer import Transfer, asked
+from motes.maps import zarrs
 from motes.maps.lights import Row, rows_of, table_of
-from motes.maps.stack import MapStack, create_map
+from motes.maps.stack import MapStack, create_map, open_stack
 from motes.measurements import _scans
 
-Singles = NDArray[np.float32]
-Floats = NDArray[np.float64]
+AT_ONCE = 2**20  # pixels that are made linear at once
 
 
 def import_images(
@@ -43,6 +45,8 @@ def import_images(
     *,
     table: str | os.PathLike[str] | None = None,
     linear: bool = False,
+    transfer: str | None = None,
+    layer: str | None = None,
     chunk: int = 64,
     progress: Callable[[int, int, str], None] | None = None,
 ) -> MapStack:
@@ -57,7 +61,11 @@ def import_images(
     table
         The CSV; the only one in the folder when not given.  See the module for its columns.
     linear
-        PNG pictures hold linear values, not sRGB.
+        The pictures hold linear values, whatever they say: ``transfer="linear"``.
+    transfer
+        What the numbers are, whatever the pictures say: ``linear``, ``srgb``, or an exponent such as ``2.2``.
+    layer
+        Of OpenEXR pictures with several: ``ViewLayer.Combined``, or one channel.
     chunk
         Rows and columns of texels in a chunk.
     progress
@@ -74,7 +82,7 @@ def import_images(
 
     Notes
     -----
-    Pictures are read once, into a temporary file beside `out` as large as the map; memory holds one picture and one row of chunks.
+    Pictures are read once, into a temporary file beside `out` as large as the map; memory holds one picture as it is stored and one row of chunks.
     """
     source = Path(folder)
     if not source.is_dir():
@@ -83,8 +91,10 @@ def import_images(
     times = sorted({row.hours for row in rows})
     scans = [[row for row in rows if row.hours == t] for t in times]
     union, places = _scans.union([np.array([[*r.wi, *r.wo] for r in scan]) for scan in scans])
-    first = picture(rows[0].file, linear)
-    height, width, channels = first.shape
+    if linear and transfer not in (None, "linear"):
+        raise MotesError(f"both linear and the transfer function {transfer!r} were given", "Give one of them")
+    reader = _Reader(asked("linear") if linear else None if transfer is None else asked(transfer), layer)
+    height, width, channels = reader.open(rows[0].file).shape
     stack = create_map(
         out,
         (height, width),
@@ -96,17 +106,14 @@ def import_images(
         name=source.resolve().name,
         attributes={
             "source": f"{len(rows)} pictures",
-            "notes": [
-                "f_r = pixel / (exposure x irradiance x cos(theta_i)), one direction of light and view for all texels",
-                "PNG values taken as linear" if linear else "PNG values decoded from sRGB (IEC 61966-2-1)",
-                "the largest code of a PNG is clipped, and is NaN",
-            ],
         },
     )
     slots = [(t, int(d), row) for t, scan in enumerate(scans) for d, row in zip(places[t], scan, strict=True)]
     try:
         with tempfile.TemporaryDirectory(prefix=".motes-", dir=Path(out).resolve().parent) as temporary:
-            _transpose(stack, slots, Path(temporary) / "pictures", linear, progress)
+            _transpose(stack, slots, Path(temporary) / "pictures", reader, progress)
+        zarrs.open_group(stack.path, "r+").attrs["notes"] = reader.notes()
+        zarrs.consolidate(stack.path)
     except BaseException as error:
         import shutil
 
@@ -117,44 +124,40 @@ def import_images(
                 "The import needs twice the size of the map on the disk, half of it for a while",
             ) from error
         raise
-    return stack
+    return open_stack(stack.path, mode="r+")
 
 
-def picture(path: Path, linear: bool) -> Singles:
-    """Linear pixels (y, x, C) as float32, C = 3 or 1; NaN where the picture is clipped or not finite."""
-    try:
-        if path.suffix.lower() == ".exr":
-            channels = _exr.read(path, "Reading pictures")
-            names = next((n for n in (RGB, (LUMINANCE,)) if set(n) <= set(channels)), sorted(channels)[:1])
-            values = np.stack([channels[n] for n in names], axis=-1)
-            values[~np.isfinite(values)] = np.nan
-            return values
-        codes, largest = _png.read(path)
-    except OSError as error:
-        raise FormatError(
-            f"{path} cannot be read: {error.strerror or error}", "Check the table and the folder"
-        ) from None
-    return np.asarray(_decoded(largest, linear)[codes])
+class _Reader:
+    """Opens pictures, and remembers what they said of their numbers."""
 
+    def __init__(self, stated: Transfer | None, layer: str | None) -> None:
+        self.stated, self.layer = stated, layer
+        self.said: Counter[str] = Counter()
 
-def srgb_decode(encoded: Floats) -> Floats:
-    """sRGB in [0, 1] to linear (IEC 61966-2-1)."""
-    return np.where(encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4)
+    def open(self, path: Path) -> Photograph:
+        # A layer is for OpenEXR; a folder may hold others beside.
+        return open_photograph(path, self.stated, self.layer if path.suffix.lower() == ".exr" else None)
 
+    def remember(self, picture: Photograph) -> None:
+        self.said.update([f"pixels taken as {picture.transfer}", *picture.notes])
+        if picture.largest is not None:
+            self.said.update(["the largest code of a picture is clipped, and is NaN"])
 
-def _decoded(largest: int, linear: bool) -> Singles:
-    """The linear value of every code; the largest is clipped, NaN."""
-    codes = np.arange(largest + 1) / largest
-    table = (codes if linear else srgb_decode(codes)).astype(np.float32)
-    table[-1] = np.nan
-    return table
+    def notes(self) -> list[str]:
+        """Sentences on all pictures, with their number where they do not all say the same."""
+        total = max(self.said.values(), default=0)
+        told = [words if n == total else f"{words} ({n} of {total} pictures)" for words, n in self.said.items()]
+        return [
+            "f_r = pixel / (exposure x irradiance x cos(theta_i)), one direction of light and view for all texels",
+            *told,
+        ]
 
 
 def _transpose(
     stack: MapStack,
     slots: list[tuple[int, int, Row]],
     temporary: Path,
-    linear: bool,
+    reader: _Reader,
     progress: Callable[[int, int, str], None] | None,
 ) -> None:
     """Pictures one by one into a file, then out of it one row of chunks at a time."""
@@ -166,14 +169,17 @@ def _transpose(
         os.posix_fallocate(file.fileno(), 0, held.nbytes)
     bands = range(0, height, stack.array.chunks[0])
     for k, (_, _, row) in enumerate(slots):
-        values = picture(row.file, linear)
-        if values.shape != shape[1:]:
+        picture = reader.open(row.file)
+        if picture.shape != shape[1:]:
             raise FormatError(
-                f"{row.file} has {values.shape[1]} x {values.shape[0]} pixels and {values.shape[2]} channels, the first "
+                f"{row.file} has {picture.shape[1]} x {picture.shape[0]} pixels and {picture.shape[2]} channels, the first "
                 f"picture {width} x {height} and {shape[3]}",
                 "All pictures are of one size, and registered",
             )
-        held[k] = values / np.float32(row.scale)
+        for y in range(0, height, max(1, AT_ONCE // width)):
+            part = slice(y, min(y + max(1, AT_ONCE // width), height))
+            held[k, part] = picture.linear(part) / np.float32(row.scale)
+        reader.remember(picture)
         if progress:
             progress(k + 1, len(slots) + len(bands), f"reading {row.file.name}")
     for k, y in enumerate(bands):

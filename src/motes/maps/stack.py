@@ -17,7 +17,8 @@ from motes.channels import RGB, names_or_default
 from motes.errors import DataError, FormatError, ParameterError
 from motes.maps import zarrs
 from motes.maps.blocks import Blocks, block_shape
-from motes.maps.opening import AXES, NAME, check, hours_of, reflectance, vectors
+from motes.maps.opening import check, hours_of, reflectance, vectors
+from motes.maps.zarrs import AXES, NAME
 from motes.measurements import policy
 
 Singles = NDArray[np.float32]

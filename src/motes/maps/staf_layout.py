@@ -10,13 +10,13 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from motes.errors import MissingExtraError, MotesError
-from motes.files import replacing
+from motes.errors import MotesError
+from motes.images import exr, library
 from motes.maps.fitted import FittedMap
 from motes.models import BRDF
 from motes.parameters import Role, Slot
@@ -24,6 +24,7 @@ from motes.parameters import Role, Slot
 Floats = NDArray[np.float64]
 
 MOST_DEGREE = 3
+PURPOSE = "The export as pictures"
 
 
 def export_exr(
@@ -58,10 +59,7 @@ def export_exr(
     -----
     One map with its coefficients is held at a time: 48 bytes a texel for a coloured cubic.
     """
-    try:
-        import OpenEXR  # noqa: F401
-    except ImportError:
-        raise MissingExtraError("OpenEXR", "exr", "The export as pictures") from None
+    library.oiio(PURPOSE)  # before anything is worked out
     layout = _layout(fitted)
     gloss, diffuse = layout.gloss, layout.diffuse
     degree = min(MOST_DEGREE, len(fitted.hours) - 1)
@@ -107,7 +105,7 @@ def export_exr(
             part = polynomials(of(where), fitted.hours, degree)
             coefficients[(slice(None), *where)] = part if part.ndim == 4 else part[..., None]
         for d, picture in enumerate(coefficients):
-            written.append(_write(target / f"{name}-{d}.exr", picture))
+            written.append(exr.write(target / f"{name}-{d}.exr", picture, PURPOSE))
     return written
 
 
@@ -181,19 +179,3 @@ def _layout(fitted: FittedMap) -> _Layout:
         raise MotesError(f"the STAF layout holds 1 or 3 channels, and the map has {len(fitted.channels)}", hint)
     known = {slot.name for slot in (*colours, *gloss[1:])} if gloss else {slot.name for slot in colours}
     return _Layout(colours[0] if colours else None, gloss, [q for q in brdf.parameters if q not in known])
-
-
-def _write(path: Path, picture: NDArray[np.float32]) -> Path:
-    """R, G, B (y, x, 3) as float32, whole or not at all."""
-    import OpenEXR
-
-    header: dict[str, Any] = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
-    channels = {c: np.ascontiguousarray(picture[..., k]) for k, c in enumerate("RGB")}
-    with replacing(path) as temporary:
-        try:
-            OpenEXR.File(header, channels).write(str(temporary))
-        except OSError:
-            raise
-        except Exception as error:  # the library raises RuntimeError for a full disk
-            raise OSError(f"{str(error)[:200]}") from error
-    return path

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import math
 import os
+import shlex
 import shutil
 import warnings
 from collections.abc import Iterator, Mapping
@@ -17,6 +19,17 @@ from numpy.typing import NDArray
 from motes.errors import FormatError, MissingExtraError, MotesError
 from motes.material import CONVENTIONS as MATERIAL_CONVENTIONS
 
+NAME = "f_r"
+AXES = ("y", "x", "time", "direction", "channel")
+#: The arrays of a map and their axes.
+MEMBERS = {
+    NAME: AXES,
+    "wi": ("direction", "xyz"),
+    "wo": ("direction", "xyz"),
+    "time": ("time",),
+    "wavelength": ("channel",),
+    "weight": ("direction",),
+}
 STACK, FITTED = "motes map", "motes fitted map"
 VERSION = 1
 CONVENTIONS = {
@@ -25,6 +38,7 @@ CONVENTIONS = {
 }
 # Bytes of one chunk, and of a small array that is read whole, beyond which a store is refused.
 LARGEST_CHUNK, LARGEST_TABLE = 4 * 2**30, 2**28
+LARGEST_ATTRIBUTES = 2**20
 MOST_BLOCKS = 10_000_000
 
 
@@ -62,8 +76,7 @@ def open_group(path: object, mode: str = "r") -> Any:
         raise FormatError(f"{folder} does not exist", "Check the path")
     if (folder / ".zgroup").is_file() or (folder / ".zarray").is_file():
         raise FormatError(
-            f"{folder} is a Zarr store of version 2; maps are read from version 3",
-            "Convert it: xarray.open_zarr(old).to_zarr(new, zarr_format=3)",
+            f"{folder} is a Zarr store of version 2; maps are read from version 3", f"Convert it: {_conversion(folder)}"
         )
     try:
         return library.open_group(str(folder), mode=mode, use_consolidated=False, zarr_format=3)
@@ -72,6 +85,48 @@ def open_group(path: object, mode: str = "r") -> Any:
             f"{folder} is not a Zarr group that can be opened: {_shortly(error)}",
             "A map is a Zarr v3 group with an array f_r (y, x, time, direction, channel)",
         ) from None
+
+
+def rewritten(folder: Path, change: str = "") -> str:
+    """The command that writes a store again, as version 3 with fresh encodings, after a change: a method call of an `xarray.Dataset`."""
+    return _python(
+        f"import xarray; xarray.open_zarr({_text(folder)}, consolidated=False){change}.drop_encoding()"
+        f".to_zarr({_text(_beside(folder))}, zarr_format=3, consolidated=False)"
+    )
+
+
+def _conversion(folder: Path) -> str:
+    """The command that makes version 3 of version 2.  Stores that xarray did not write do not name their axes, and the command must."""
+    found = [name for name in MEMBERS if (folder / name / ".zarray").is_file()]
+    named = [name for name in found if _names_axes(folder / name / ".zattrs")]
+    if NAME not in found or named:
+        return rewritten(folder)
+    members = ", ".join(f"{_text(name)}: ({list(MEMBERS[name])}, a({_text(name)}))".replace("'", '"') for name in found)
+    return _python(
+        f"import dask.array, xarray, zarr; n = {_text(folder)}; a = lambda k: dask.array.from_zarr(n, component=k); "
+        f'xarray.Dataset({{{members}}}, attrs=dict(zarr.open_group(n, mode="r").attrs))'
+        f".to_zarr({_text(_beside(folder))}, zarr_format=3, consolidated=False)"
+    )
+
+
+def _names_axes(file: Path) -> bool:
+    try:
+        with file.open("rb") as stream:
+            return b"_ARRAY_DIMENSIONS" in stream.read(LARGEST_ATTRIBUTES)
+    except OSError:
+        return False
+
+
+def _beside(folder: Path) -> Path:
+    return folder.with_name(f"{folder.stem}-again.zarr")
+
+
+def _text(value: object) -> str:
+    return json.dumps(str(value), ensure_ascii=False)
+
+
+def _python(code: str) -> str:
+    return f"python -c {shlex.quote(code)}"
 
 
 def arrays(group: Any, where: object) -> dict[str, Any]:

@@ -17,7 +17,12 @@ from motes.images import exr as _exr
 from motes.measurements.parameter_maps import NAMES, ParameterMaps
 
 NAME = "staf"
-SOURCE = "Gu et al., Time-varying Surface Appearance, ACM TOG 25(3), 2006, refitted as polynomials by Meister et al."
+SOURCE = (
+    "a folder in the layout of the STAF data (Gu et al. 2006, as polynomials by Meister et al.); "
+    "its files do not say whose it is, nor whether it was measured"
+)
+WIDE = 0.6  # rad; highlights of the STAF data are narrower, the roughness of a texture set mostly is not
+ANY_FILE = re.compile(r"(.+)-(\d)\.exr", re.IGNORECASE)
 FILE = re.compile(rf"({'|'.join(NAMES)})-(\d)\.exr", re.IGNORECASE)
 
 
@@ -67,6 +72,20 @@ def read_staf(path: Path) -> ParameterMaps:
     reading.require(
         coefficients["Roughness"].shape[-1] == 1, f"{path}: Roughness has colours", "One sigma_s serves all channels"
     )
+    others = _others(path)
+    wide = float(np.mean(coefficients["Roughness"].sum(axis=0)))  # at t = 1; at t = 0 it is the first coefficient
+    doubtful = [f.name for f in others if f.name.lower().startswith(("height-", "normal-"))] or max(
+        wide, float(np.mean(coefficients["Roughness"][0]))
+    ) > WIDE
+    notes = []
+    if others:
+        names = ", ".join(f.name for f in others[:12]) + (" and more" if len(others) > 12 else "")
+        notes.append(f"not read, for the model has no place for it: {names}")
+    if doubtful:
+        notes.append(
+            f"the maps look like those of a texture set: a Roughness (mean {float(np.mean(coefficients['Roughness'][0])):.3g} at t = 0) between 0 and 1 of a "
+            "program for textures is no width in radians, and its Specular no weight of a highlight; then K_s and sigma_s mean nothing"
+        )
     return ParameterMaps(
         coefficients,
         provenance={
@@ -75,6 +94,7 @@ def read_staf(path: Path) -> ParameterMaps:
             "name": path.resolve().name,
             "source": SOURCE,
             "notes": [
+                *notes,
                 "t = 0 to 1 is the time of the whole experiment; the polynomials are evaluated, then clamped at 0",
                 "read as f_r = Diffuse/pi + K_s rho_s, K_s = Specular/(pi R^2 (1 - exp(-1/R^2))), sigma_s = R, "
                 "the Roughness in radians; whether the source divides Diffuse by pi is not confirmed",
@@ -92,3 +112,10 @@ def _coefficients(folder: Path) -> dict[tuple[str, int], Path]:
         if match and file.is_file():
             found[match[1].capitalize(), int(match[2])] = file
     return found
+
+
+def _others(folder: Path) -> list[Path]:
+    """Files of the same kind of name that stand for something else, such as Height-0.exr."""
+    return sorted(
+        f for f in folder.iterdir() if ANY_FILE.fullmatch(f.name) and not FILE.fullmatch(f.name) and f.is_file()
+    )

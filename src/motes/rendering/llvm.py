@@ -17,9 +17,10 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
+from motes.errors import install_command
+
 VARIABLE = "DRJIT_LIBLLVM_PATH"
 OLDEST = 17
-COMMAND = "pip install 'motes[render]'"  # on x86-64 Linux it brings an LLVM
 _SECONDS = 60  # far more than loading takes, on a busy machine too
 
 # LLVMGetVersion came with LLVM 16.  Prints the version, or "old".
@@ -159,7 +160,7 @@ def missing(choice: Choice) -> tuple[str, str]:
         )
     wheel = sys.platform == "linux" and platform.machine() == "x86_64"
     step = (
-        f"Run {COMMAND}"
+        f"Run {install_command('render')}"  # which brings an LLVM
         if wheel
         else f"Install LLVM {OLDEST} or later (brew install llvm, apt-get install libllvm19, ...)"
     )

@@ -10,7 +10,8 @@ from typing import final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from motes.errors import FormatError, MotesError
+from motes.errors import MotesError
+from motes.images import photograph
 from motes.rendering.noise import gradient_noise
 
 Floats = NDArray[np.float64]
@@ -93,28 +94,7 @@ def read_mask(path: str | os.PathLike[str]) -> Floats:
     FormatError
         When it is not there, not a picture, or holds something that is not a number.
     """
-    from motes.rendering import load_mitsuba
-
-    mi = load_mitsuba()
-    file = Path(path)
-    if not file.is_file():
-        raise FormatError(f"{file} does not exist", "Give the path of a picture: PNG, JPEG, EXR or PFM")
-    try:
-        bitmap = mi.Bitmap(str(file))
-        stored = np.array(bitmap)
-    except Exception as error:  # Mitsuba raises RuntimeError for what it cannot read
-        reason = str(error).splitlines()[-1][:160]
-        raise FormatError(f"{file} cannot be read as a picture: {reason}", "Save it as PNG or EXR") from None
-    values = stored.astype(np.float64)
-    if np.issubdtype(stored.dtype, np.integer):
-        values /= np.iinfo(stored.dtype).max
-    values = values.reshape(*values.shape[:2], -1)
-    values = values[..., : 3 if values.shape[2] >= 3 else 1].mean(axis=2)  # without alpha
-    if not np.isfinite(values).all():
-        raise FormatError(
-            f"{file} has {int((~np.isfinite(values)).sum())} pixels that are not finite", "Repair the picture"
-        )
-    return np.asarray(np.clip(values, 0, 1))
+    return photograph.read_mask(Path(path))
 
 
 def look_up(picture: Floats, uv: Floats) -> Floats:
