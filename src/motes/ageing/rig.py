@@ -166,6 +166,7 @@ def simulate(
         For numbers out of range, a surface with other than one or three channels, or a folder that cannot be written.
     """
     from motes.measurements.tvbrdf import write_tvbrdf
+    from motes.version import __version__
 
     rig = rig or Rig()
     if scans < 1:
@@ -210,4 +211,5 @@ def simulate(
         scans=recorded,
         exposures=rig.exposures,
         irradiance=rig.irradiance,
+        source=f"simulated by Motes {__version__}, noise {noise:g}, seed {seed}",
     )

@@ -31,7 +31,8 @@ def info(
     """
     from motes.cli import console
     from motes.cli.paths import existing, is_map, material_at
-    from motes.measurements import list_samples, read
+    from motes.measurements import Measurement, list_samples, read
+    from motes.measurements.plausibility import implausible
 
     path = existing(data)
     if is_map(data):
@@ -56,8 +57,11 @@ def info(
         ]
     else:
         with console.progress(common, f"reading {path.name}"):
-            summary = read(path, **options).summary()
-        rows = _maps(summary) if "mean" in summary else _measurement(summary)
+            found = read(path, **options)
+        summary = found.summary()
+        if isinstance(found, Measurement):
+            summary["findings"] = list(implausible(found))
+        rows = _measurement(summary) if isinstance(found, Measurement) else _maps(summary)
     if common.json:
         console.print_json(summary)
     elif not common.quiet:
@@ -113,7 +117,25 @@ def _measurement(summary: dict[str, Any]) -> list[Row]:
     masked = "".join(f"\n{count} masked: {reason}" for reason, count in s.pop("masked").items())
     rows.append(("usable", f"{s.pop('n_usable')} of {s.pop('n_samples')} samples{masked}"))
     rows.append(("weights", "solid angles" if s.pop("weighted") else "all alike"))
-    return rows + _rest(s)
+    rows += _uncertainties(s.pop("uncertainties"), s.pop("common_uncertainty"))
+    findings = [("finding", text) for text in s.pop("findings")]
+    columns = s.pop("columns", None)
+    if columns:
+        rows.append(("columns", "\n".join(columns)))
+    return rows + _rest(s) + findings
+
+
+def _uncertainties(facts: dict[str, Any] | None, common: float | None) -> list[Row]:
+    """Those of the samples, and that of their scale."""
+    parts = []
+    if facts and facts["n_samples"]:
+        low, high = facts["range"]
+        relative = facts["relative_median"]
+        share = "" if relative is None else f", typically {relative:.1%} of the value"
+        parts.append(f"{low:.3g} to {high:.3g} 1/sr (one standard deviation){share}")
+    if common is not None:
+        parts.append(f"{common:.1%} of the scale, common to all samples")
+    return [("uncertainty", "\n".join(parts))] if parts else []
 
 
 def _maps(summary: dict[str, Any]) -> list[Row]:

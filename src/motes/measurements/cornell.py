@@ -16,7 +16,7 @@ from motes.files import reading
 from motes.measurements.measurement import Measurement
 
 NAME = "cornell"
-SOURCE = "Cornell University Program of Computer Graphics, reflectance data (gonioreflectometer)"
+SOURCE = "in the layout of the reflectance data of the Cornell University Program of Computer Graphics"
 MOST_WAVELENGTHS = 10_000
 
 

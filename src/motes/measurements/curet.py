@@ -19,7 +19,7 @@ from motes.measurements import policy
 from motes.measurements.measurement import Measurement
 
 NAME = "curet"
-SOURCE = "Dana, van Ginneken, Nayar, Koenderink, Reflectance and Texture of Real-World Surfaces, ACM TOG 18(1), 1999"
+SOURCE = "in the layout of the CUReT database (Dana, van Ginneken, Nayar, Koenderink, ACM TOG 18(1), 1999)"
 VALUES, TABLE = "abrdf.dat", "table.txt"
 FULL_ROW = 206  # a sample number and 205 values
 

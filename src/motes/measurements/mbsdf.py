@@ -21,7 +21,7 @@ from motes.measurements._angles import polar_bins
 from motes.measurements.measurement import Measurement
 
 NAME = "mbsdf"
-SOURCE = "NVIDIA Material Definition Language SDK, measured BSDF"
+SOURCE = "in the layout of measured BSDFs of NVIDIA's Material Definition Language SDK"
 MAGIC = b"NVIDIA ARC MBSDF"
 REFLECTION, TRANSMISSION = b"MBSDF_DATA_REFLECTION=\n", b"MBSDF_DATA_TRANSMISSION="
 HEADER = 65536  # the text before the table; metadata of a few lines

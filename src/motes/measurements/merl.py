@@ -19,7 +19,7 @@ from motes.measurements._angles import half_difference_grid
 from motes.measurements.measurement import Measurement
 
 NAME = "merl"
-SOURCE = "Matusik, Pfister, Brand, McMillan, A Data-Driven Reflectance Model, ACM TOG 22(3), 2003"
+SOURCE = "in the layout of the MERL database (Matusik, Pfister, Brand, McMillan, ACM TOG 22(3), 2003)"
 SCALE = np.array([1.0, 1.15, 1.66]) / 1500
 FULL = (90, 90, 180)
 

@@ -27,9 +27,7 @@ from motes.measurements._warp import Grid, Warp, bracket
 from motes.measurements.measurement import Measurement
 
 NAME = "rgl"
-SOURCE = (
-    "Dupuy, Jakob, An Adaptive Parameterization for Efficient Material Acquisition and Rendering, ACM TOG 37(6), 2018"
-)
+SOURCE = "in the layout of the RGL material database (Dupuy, Jakob, ACM TOG 37(6), 2018)"
 
 
 def sniff(path: Path, head: bytes) -> bool:

@@ -31,7 +31,7 @@ from motes.measurements import _scans, _timestamps, policy
 from motes.measurements.measurement import Measurement
 
 NAME = "tvbrdf"
-SOURCE = "Sun, Sunkavalli, Ramamoorthi, Belhumeur, Nayar, Time-Varying BRDFs, IEEE TVCG 13(3), 2007 (TVBRDF database)"
+SOURCE = "in the layout of the TVBRDF database (Sun, Sunkavalli, Ramamoorthi, Belhumeur, Nayar, IEEE TVCG 13(3), 2007)"
 INFO, DATA = "tvBrdf-info.txt", "tvBrdf-data"
 SCAN = re.compile(r"scan(\d{1,6})_brdf_camera(\d{1,3})_allexposures\.txt", re.IGNORECASE)
 SAMPLE = re.compile(r"sample[-_]?(\w{1,40})", re.IGNORECASE)
@@ -140,7 +140,8 @@ def read_tvbrdf(
             "path": str(path),
             "sample": folder.name,
             "name": info.name or folder.name,
-            "source": SOURCE,
+            "source": info.source or SOURCE,
+            **({"simulated": True} if info.source.lower().startswith("simulated") else {}),
             "exposures": info.exposures,
             "irradiance": scale,
             "notes": notes,
@@ -157,6 +158,7 @@ def write_tvbrdf(
     scans: Sequence[Sequence[tuple[ArrayLike, ArrayLike, ArrayLike]]],
     exposures: Sequence[float] = (0.2, 4.0, 32.0),
     irradiance: float = 1.0,
+    source: str = "",
 ) -> Path:
     """Write a sample folder in the layout of the TVBRDF database; it appears whole or not at all.
 
@@ -175,6 +177,9 @@ def write_tvbrdf(
         Of the pictures that the radiance was made from.
     irradiance
         E at normal incidence, which `read_tvbrdf` divides by.
+    source
+        Where the numbers come from, such as ``"simulated by Motes"``; what begins with "simulated" is said to be so
+        wherever the data go.
 
     Returns
     -------
@@ -219,6 +224,7 @@ def write_tvbrdf(
         "Exposures: " + " ".join(f"{e:f}" for e in exposures),
         f"Number of scans: {len(scans)}",
         f"Irradiance: {irradiance:.9g}",
+        *([f"Source: {_one_line(source)}"] if source else []),
         "Time stamps (s):",
         *(f"scan {t:02d}: {time:.9g} s" for t, time in enumerate(times, 1)),
     ]
@@ -257,6 +263,7 @@ class _Info:
     exposures: tuple[float, ...] = ()
     n_scans: int = 0
     irradiance: float | None = None
+    source: str = ""
 
     @classmethod
     def read(cls, folder: Path) -> _Info:
@@ -272,6 +279,7 @@ class _Info:
         name, n_scans = "", 0
         exposures: tuple[float, ...] = ()
         irradiance: float | None = None
+        source = ""
         for line in lines:
             label, _, value = (
                 part.strip() for part in (line if ":" in line else line.replace("=", ":", 1)).partition(":")
@@ -280,7 +288,9 @@ class _Info:
             numbers = [
                 float(x) for x in re.findall(r"(?<![\w.])\d+(?:\.\d+)?(?:[eE][-+]?\d{1,2})?(?![\w.])", value or label)
             ]
-            if "exposure" in low and not exposures:
+            if low == "source":
+                source = value[:200]
+            elif "exposure" in low and not exposures:
                 exposures = tuple(numbers[:32])
             elif "irradiance" in low and numbers:
                 irradiance = numbers[0]
@@ -302,7 +312,7 @@ class _Info:
             and not re.search(r"exposure|scans?\b|\d:\d", lines[0], re.IGNORECASE)
         ):
             name = lines[0]
-        return cls(text, name[:200], exposures, n_scans, irradiance)
+        return cls(text, name[:200], exposures, n_scans, irradiance, source)
 
 
 def _choose(path: Path, sample: int | str | None) -> Path:

@@ -1,0 +1,259 @@
+"""Whether a measurement can be what it says: sentences for people, before anything is fitted.
+
+Nothing here changes a number.  Each finding says what was seen and, where there is one, the option that would mend it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from motes import directions
+from motes.measurements.measurement import Measurement
+
+Floats = NDArray[np.float64]
+
+ENERGY = 1.05  # pi f_r of the typical sample; a perfect white diffuser has 1
+AWAY = 0.35  # rad from the half vector to the normal: beyond most highlights
+LIGHT = (100.0, 100_000.0)  # nm
+FEWEST = 20  # samples that a statement needs
+MOST_ROWS = 2000  # directions that the sides of the highlight are compared with
+WIDTHS = (0.05, 0.1, 0.2, 0.35, 0.5)  # of highlights [rad]
+BETTER = 0.25  # the turned azimuths must leave so much of the squared residuals, or less
+
+
+def implausible(data: Measurement) -> tuple[str, ...]:
+    """What is odd about a measurement, the most important first; empty when nothing is."""
+    found: list[str] = []
+    for check in (_energy, _angles, _side, _wavelengths, _channels, _rows, _scans, _dark, _uncertainties):
+        found += check(data)
+    return tuple(found)
+
+
+def _reflected(data: Measurement) -> Floats:
+    """pi f_r of the typical light (T, C), to be compared with 1: the spherical albedo where samples have solid angles, else the median away from
+    the mirror direction; NaN where there are few samples."""
+    result = np.full((data.n_times, data.n_channels), np.nan)
+    cosines = data.wi[:, 2] * data.wo[:, 2]
+    weighted = bool(np.ptp(data.weights) > 0)
+    away = directions.theta(data.wi + data.wo) > AWAY
+    for t in range(data.n_times):
+        for c in range(data.n_channels):
+            use = data.mask[t, :, c] if weighted else data.mask[t, :, c] & away
+            if np.count_nonzero(use) < FEWEST:
+                continue
+            v = data.values[t, use, c]
+            share = (data.weights * cosines)[use]
+            result[t, c] = np.pi * (float(v @ share) / float(share.sum()) if weighted else np.median(v))
+    return result
+
+
+def _energy(data: Measurement) -> list[str]:
+    """More light out than in."""
+    reflected = _reflected(data)
+    if not np.any(np.isfinite(reflected)):
+        return []
+    t, c = (int(k) for k in np.unravel_index(np.nanargmax(reflected), reflected.shape))
+    factor = float(reflected[t, c])
+    if factor <= ENERGY:
+        return []
+    where = f"channel {data.channels[c]}" if data.n_channels > 1 else "the typical sample"
+    said = f"More light out than in: {where} has pi f_r = {factor:.3g}, and a white diffuser has 1"
+    if data.provenance.get("format") == "tvbrdf" and "irradiance" in data.provenance:
+        return [
+            f"{said}. The scale of these data is that of their irradiance; --read irradiance={_nice(factor)} or more would bring it below 1."
+        ]
+    table = data.provenance.get("format") == "csv"
+    if factor <= np.pi * ENERGY:
+        mend = "reflectance factors (pi times the BRDF)", "reflectance_factor"
+    elif factor <= 100 * np.pi * ENERGY:
+        mend = "reflectance factors in percent", "reflectance_factor_percent"
+    else:
+        return [f"{said}: the values are not in 1/sr, or their scale is off."]
+    how = f" --read 'column:NAME={mend[1]}' reads them as such." if table else ""
+    return [f"{said}: these may be {mend[0]} and not the BRDF [1/sr].{how}"]
+
+
+def _nice(x: float) -> str:
+    return f"{x:.2g}"
+
+
+def _angles(data: Measurement) -> list[str]:
+    """Degrees that were read as radians, and the other way round."""
+    theta_i, theta_r = data.theta_i, data.theta_r
+    below = ~directions.above(data.wi, data.wo)
+    table = data.provenance.get("format") == "csv"
+    found = []
+    if len(below) >= FEWEST and below.mean() > 0.4:
+        how = " --read angles=deg reads degrees where the columns name no unit." if table else ""
+        found.append(
+            f"{below.mean():.0%} of the directions are at or below the horizon: the angles may be in another unit.{how}"
+        )
+    highest = float(max(theta_i.max(), theta_r.max()))
+    if len(theta_i) >= FEWEST and 0 < highest < 0.03:
+        how = " --read 'column:NAME=theta_i_rad', and so on, reads them as such." if table else ""
+        found.append(
+            f"All directions lie within {np.degrees(highest):.2g} degrees of the normal: the angles may be in radians and not in degrees.{how}"
+        )
+    return found
+
+
+def _side(data: Measurement) -> list[str]:
+    """A highlight on the side of the lamp: azimuths that count from the mirror direction."""
+    f, wi, wo = _grey(data)
+    if len(f) < FEWEST:
+        return []
+    fits = [_explained(wi, w, f) for w in (wo, wo * np.array([-1.0, -1.0, 1.0]))]
+    (given, _), (turned, share) = fits
+    if turned > BETTER * given or share < 0.03 or given < 1e-4:
+        return []
+    how = (
+        "--read azimuth=mirror reads them so."
+        if data.provenance.get("format") == "csv"
+        else "Check the convention of the source."
+    )
+    return [
+        "The highlight sits on the side of the lamp: azimuths may count from the side of the mirror direction (as in ASTM E2387), or signed "
+        f"theta_r be positive there. With the azimuths turned by 180 degrees simple lobes leave {np.sqrt(turned):.1%} of the values unexplained, "
+        f"as they are {np.sqrt(given):.1%}. {how}"
+    ]
+
+
+def _grey(data: Measurement) -> tuple[Floats, Floats, Floats]:
+    """The mean over the channels of the first usable time at some directions that are well away from the horizon."""
+    t = int(np.argmax(data.mask.any(axis=(1, 2))))
+    usable = data.mask[t].all(axis=1) & (data.wi[:, 2] > 0.15) & (data.wo[:, 2] > 0.15)
+    rows = np.flatnonzero(usable)
+    rows = rows[:: max(1, len(rows) // MOST_ROWS)]
+    return data.values[t, rows].mean(axis=1), data.wi[rows], data.wo[rows]
+
+
+def _explained(wi: Floats, wo: Floats, f: Floats) -> tuple[float, float]:
+    """Of f cos(theta_i): the squared residuals of the best sum of simple lobes with weights >= 0, as a share of the squares, and the share of
+    the highlights in what is explained."""
+    cos_i, cos_r = wi[:, 2], wo[:, 2]
+    sin_i, sin_r = np.sqrt(1 - cos_i**2), np.sqrt(1 - cos_r**2)
+    cross = wi[:, 0] * wo[:, 0] + wi[:, 1] * wo[:, 1]  # sin sin cos(dphi)
+    wh = wi + wo
+    theta_h = directions.theta(wh)
+    lobes = [np.ones_like(f), np.maximum(cross, 0) / np.maximum(cos_i, cos_r), sin_i**2 * sin_r**2]
+    lobes += [np.exp(-((theta_h / width) ** 2)) / (4 * cos_i * cos_r) for width in WIDTHS]
+    matrix, target = np.stack(lobes, axis=1) * cos_i[:, None], f * cos_i
+    scale = np.linalg.norm(matrix, axis=0)
+    matrix = matrix / np.maximum(scale, 1e-300)
+    used = np.ones(matrix.shape[1], bool)
+    weights = np.zeros(matrix.shape[1])
+    while (
+        used.any()
+    ):  # leave out what would be negative: an approximation of non-negative least squares that is good enough here
+        weights[:] = 0
+        weights[used] = np.linalg.lstsq(matrix[:, used], target, rcond=None)[0]
+        if weights.min() >= 0:
+            break
+        used[int(np.argmin(weights))] = False
+    total = float(target @ target)
+    if total == 0:
+        return 0.0, 0.0
+    residual = target - matrix @ weights
+    highlight = matrix[:, -len(WIDTHS) :] @ weights[-len(WIDTHS) :]
+    return float(residual @ residual) / total, float(highlight @ highlight) / total
+
+
+def _wavelengths(data: Measurement) -> list[str]:
+    w = data.wavelengths
+    if w is None or (w.min() >= LIGHT[0] and w.max() <= LIGHT[1]):
+        return []
+    unit = "micrometres" if w.max() < LIGHT[0] else "another unit"
+    how = (
+        " --read wavelength_unit=um reads micrometres where the columns name no unit."
+        if data.provenance.get("format") == "csv"
+        else ""
+    )
+    return [f"Wavelengths from {w.min():g} to {w.max():g} nm are no light: they may be in {unit}.{how}"]
+
+
+def _channels(data: Measurement) -> list[str]:
+    """Channels that hold one number, or the same numbers."""
+    found = []
+    usable = data.mask.all(axis=2) if data.n_channels <= 3 else data.mask.any(axis=2)
+    if np.count_nonzero(usable) < FEWEST:
+        return []
+    values = data.values[usable]
+    constant = [k for k in range(data.n_channels) if np.nanmin(values[:, k]) == np.nanmax(values[:, k])]
+    if constant:
+        names = ", ".join(data.channels[k] for k in constant[:5])
+        found.append(
+            f"The same number stands at all directions in {names}: a perfect diffuser without noise, or a column that holds no reflectance."
+        )
+    firsts: dict[bytes, int] = {}
+    for k in range(data.n_channels):
+        first = firsts.setdefault(np.ascontiguousarray(values[:, k]).tobytes(), k)
+        if first != k and k not in constant:
+            found.append(f"The channels {data.channels[first]} and {data.channels[k]} hold the same numbers.")
+    return found[:3]
+
+
+def _rows(data: Measurement) -> list[str]:
+    """Rows that stand there twice, values and all."""
+    t = int(np.argmax(data.mask.any(axis=(1, 2))))
+    rows = np.concatenate([data.wi, data.wo, data.values[t]], axis=1)[data.mask[t].any(axis=1)]
+    if not FEWEST <= len(rows) <= 100_000:
+        return []
+    repeated = len(rows) - len({row.tobytes() for row in rows + 0.0})
+    if repeated < 2:
+        return []
+    return [f"{repeated} of {len(rows)} samples repeat others, directions and values alike: they count twice in a fit."]
+
+
+def _scans(data: Measurement) -> list[str]:
+    """Times of samples that were taken for times of scans."""
+    if data.n_times < 4:
+        return []
+    measured = data.mask.any(axis=2).sum(axis=1)
+    typical = float(np.median(measured))
+    if typical >= 3 or data.n_directions < 3:
+        return []
+    how = (
+        " --read 'column:NAME=ignore' takes all samples as one scan." if data.provenance.get("format") == "csv" else ""
+    )
+    return [
+        f"{data.n_times} times have {typical:g} sample{'s' if typical != 1 else ''} each: the times may be those of the samples and not of scans.{how}"
+    ]
+
+
+def _dark(data: Measurement) -> list[str]:
+    """More negative samples than noise about 0 has."""
+    found = []
+    usable = data.mask
+    n = usable.sum(axis=(0, 1))
+    negative = ((data.values < 0) & usable).sum(axis=(0, 1))
+    for c in np.flatnonzero((n >= FEWEST) & (negative > 0.5 * n + 2 * np.sqrt(n))):
+        found.append(
+            f"{negative[c] / n[c]:.0%} of the samples of {data.channels[c]} are below 0, and noise about 0 has half: "
+            "too much of a dark reading may have been taken off."
+        )
+    return found[:3]
+
+
+def _uncertainties(data: Measurement) -> list[str]:
+    if data.uncertainties is None:
+        return []
+    known = data.mask & np.isfinite(data.uncertainties)
+    if known.sum() < FEWEST:
+        return (
+            [f"{int(known.sum())} of {int(data.mask.sum())} usable samples have an uncertainty."]
+            if data.mask.any()
+            else []
+        )
+    v, u = np.abs(data.values[known]), data.uncertainties[known]
+    found = []
+    share = float(np.median(u[v > 0] / v[v > 0])) if (v > 0).any() else 0.0
+    if share > 1:
+        found.append(
+            f"The typical uncertainty is {share:.3g} times its value: it may be in percent "
+            "(--read 'column:NAME=relative_uncertainty_percent'), or of another quantity."
+        )
+    unknown = int(data.mask.sum() - known.sum())
+    if unknown:
+        found.append(f"{unknown} of {int(data.mask.sum())} usable samples have no uncertainty.")
+    return found
