@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import importlib
 import importlib.util
 import inspect
+import re
+import subprocess
 import sys
 from pathlib import Path
 from types import ModuleType
@@ -111,8 +114,42 @@ def test_every_offered_page_has_a_writer_for_the_class_that_asks_for_it() -> Non
         assert f'outlets.report("{name}", self, path)' in inspect.getsource(kind.report)
 
 
-def test_pages_are_imported_when_one_is_wanted() -> None:
-    import subprocess
+DOCUMENTS = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
+SOURCES = sorted(p for folder in ("src", "examples", "tools", "benchmarks") for p in (ROOT / folder).rglob("*.py"))
+#: Groups of entry points, which are no modules.
+GROUPS = {"motes.readers"}
 
+
+def is_there(name: str) -> bool:
+    """Whether ``motes.a.b`` is a module, or something in one."""
+    parts = name.split(".")
+    found: object = importlib.import_module(parts[0])
+    for k in range(1, len(parts)):
+        try:
+            found = getattr(found, parts[k])
+        except AttributeError:
+            try:
+                found = importlib.import_module(".".join(parts[: k + 1]))
+            except ModuleNotFoundError:
+                return False
+    return True
+
+
+def test_documents_and_comments_name_what_is_there() -> None:
+    """Paths of modules, functions and files, also where no import would fail over them."""
+    missing = []
+    for path in (*DOCUMENTS, *SOURCES):
+        text = path.read_text("utf-8")
+        names = {
+            f"motes{found}" for found in re.findall(r"(?<![\w./-])motes((?:\.[A-Za-z_]\w*)+)(?![\w(]*\.zarr)", text)
+        }
+        missing += [f"{path.name}: {name}" for name in sorted(names - GROUPS) if not is_there(name)]
+        for file in sorted(set(re.findall(r"`((?:\w+/)+\w+\.py)", text))):
+            if not any((ROOT / root / file).is_file() for root in ("", "src", "src/motes")):
+                missing.append(f"{path.name}: {file}")
+    assert missing == []
+
+
+def test_pages_are_imported_when_one_is_wanted() -> None:
     code = "import sys, motes.fitting, motes.maps; sys.exit(any(m.startswith('motes.report') for m in sys.modules))"
     assert subprocess.run([sys.executable, "-c", code], timeout=120).returncode == 0
