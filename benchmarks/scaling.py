@@ -50,7 +50,7 @@ def efficiency(size: int, times: int, repeat: int) -> dict[str, Any]:
         source = maps.simulate_map(Path(folder) / "map.zarr", (size, size), times=times, chunk=64)
         out = Path(folder) / "fit.zarr"
         fitted = maps.fit_map(source, MODEL, out=out, block=(64, 64))  # compiles, finds starts
-        reference = fitted.read("K_d").tobytes()
+        reference = fitted.read_map("K_d").tobytes()
         blocks = list(fitted.blocks)
         clients = {n: cluster._client(stack, None, n) for n in WORKERS}
         for n, client in clients.items():
@@ -59,7 +59,7 @@ def efficiency(size: int, times: int, repeat: int) -> dict[str, Any]:
         for _ in range(repeat):
             for n, client in clients.items():
                 taken[n].append(seconds(client, fitted, blocks))
-        assert maps.open_map(out).read("K_d").tobytes() == reference
+        assert maps.open_map(out).read_map("K_d").tobytes() == reference
         one, two = (statistics.median(taken[n]) for n in WORKERS)
         fits = size * size * times
         return {

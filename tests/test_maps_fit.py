@@ -67,7 +67,7 @@ def test_maps_are_as_right_as_their_errors_say(paint: Path, fitted: maps.FittedM
         assert 0.9 < numbers["within_2_stderr"] < 0.975, name
         assert abs(numbers["bias"]) < 0.2 * numbers["rms_error"] + 1e-3, name
     assert found["K_d"]["median_error"] < 0.005 * found["K_d"]["median_truth"]
-    assert float(np.median(fitted.read("relative_rms"))) == pytest.approx(0.01, rel=0.1)
+    assert float(np.median(fitted.read_map("relative_rms"))) == pytest.approx(0.01, rel=0.1)
 
 
 def test_a_texel_is_what_motes_fit_finds(paint: Path, fitted: maps.FittedMap) -> None:
@@ -76,7 +76,7 @@ def test_a_texel_is_what_motes_fit_finds(paint: Path, fitted: maps.FittedMap) ->
         alone = fit(Measurement.from_arrays(stack.wi, stack.wo, stack.texels(y, x)[t], channels=("R", "G", "B")), MODEL)
         for name, parameter in alone.parameters.items():
             value = fitted.values(name)[y, x, t]
-            stderr = fitted.read(f"{name}_stderr")[y, x, t]
+            stderr = fitted.read_map(f"{name}_stderr")[y, x, t]
             assert np.all(np.abs(value - parameter.value) < 0.05 * parameter.stderr), name
             # `motes.fit` allows for leverage (HC3), which is up to a fifth for the highlight with 84 samples.
             np.testing.assert_allclose(stderr, parameter.stderr, rtol=0.25)
@@ -107,11 +107,11 @@ def test_materials_of_texels(paint: Path, fitted: maps.FittedMap) -> None:
 
 def test_numbers_of_whole_maps(fitted: maps.FittedMap) -> None:
     low, middle, high, stderr = quartiles(fitted)["sigma_s"]
-    values = fitted.read("sigma_s")
+    values = fitted.read_map("sigma_s")
     np.testing.assert_allclose([low, middle, high], np.quantile(values.astype(float), (0.25, 0.5, 0.75)), rtol=1e-6)
     assert 0 < stderr < low
     with pytest.raises(MotesError, match="no map 'tau'"):
-        fitted.read("tau")
+        fitted.read_map("tau")
     with pytest.raises(MotesError, match="no parameter 'tau'"):
         fitted.values("tau")
 
@@ -123,9 +123,9 @@ def test_results_do_not_depend_on_blocks(paint: Path, fitted: maps.FittedMap, tm
     # The starts come from texels that depend on the blocks; with the same starts all is the same.
     whole = maps.open_map(fitted.path)
     solver, stack = whole.plan.solver, maps.open_map(paint)
-    everything = solver.fit(stack.read((0, 0)).reshape(-1, *stack.sizes[1:]), whole.plan.starts)
-    assert everything.x[:, :3].tobytes() == np.asarray(whole.read("K_d")).reshape(-1, 3).tobytes()
-    assert everything.stderr[:, 3].tobytes() == np.asarray(whole.read("sigma_d_stderr")).ravel().tobytes()
+    everything = solver.fit(stack.read_block((0, 0)).reshape(-1, *stack.sizes[1:]), whole.plan.starts)
+    assert everything.x[:, :3].tobytes() == np.asarray(whole.read_map("K_d")).reshape(-1, 3).tobytes()
+    assert everything.stderr[:, 3].tobytes() == np.asarray(whole.read_map("sigma_d_stderr")).ravel().tobytes()
 
 
 def test_a_rerun_does_only_what_is_not_done(
@@ -206,7 +206,7 @@ def test_another_map_is_not_mixed_in(paint: Path, fitted: maps.FittedMap, tmp_pa
     with pytest.raises(MotesError, match="the measured values changed"):
         again(fitted, other, out)
     restarted = again(fitted, other, out, restart=True)
-    assert np.median(restarted.read("K_s") / fitted.read("K_s")) == pytest.approx(2, rel=0.02)
+    assert np.median(restarted.read_map("K_s") / fitted.read_map("K_s")) == pytest.approx(2, rel=0.02)
 
 
 def test_what_is_no_fit_is_not_overwritten(paint: Path, tmp_path: Path) -> None:
@@ -236,13 +236,13 @@ def test_nan_and_dead_texels_are_marked(paint: Path, fitted: maps.FittedMap, tmp
     data[9, 10, 0, 4] = -1
     values[...] = data
     out = maps.fit_map(source, MODEL, out=tmp_path / "out.zarr", block=BLOCK)
-    status, K_d = out.read("status"), out.read("K_d")
+    status, K_d = out.read_map("status"), out.read_map("K_d")
     expected = np.zeros(status.shape, int)
     expected[1, 2] = expected[3, 4] = expected[5, 6, 1] = 2
     np.testing.assert_array_equal(status, expected)
     assert np.isnan(K_d[expected == 2]).all()
     assert np.isfinite(K_d[expected == 0]).all()
-    np.testing.assert_allclose(K_d[9, 10, 0], fitted.read("K_d")[9, 10, 0], rtol=0.05)
+    np.testing.assert_allclose(K_d[9, 10, 0], fitted.read_map("K_d")[9, 10, 0], rtol=0.05)
     assert len(out.material(5, 6).trends["K_d"].hours) == 2
     with pytest.raises(DataError, match="Its status says why"):
         out.material(1, 2)
@@ -264,7 +264,7 @@ def test_a_chunk_that_cannot_be_read_is_listed_and_the_rest_is_done(
     ((block, reason),) = out.failures
     assert block == (1, 0)
     assert reason
-    assert (out.read("status", out.blocks.slices((1, 0))) == 255).all()
+    assert (out.read_map("status", out.blocks.slices((1, 0))) == 255).all()
     assert out.done().sum() == 8
     assert out.summary()["failures"][0]["block"] == [1, 0]
     # Mended, the same call does the rest.
@@ -272,7 +272,7 @@ def test_a_chunk_that_cannot_be_read_is_listed_and_the_rest_is_done(
     out = maps.fit_map(source, MODEL, out=tmp_path / "out.zarr", block=BLOCK)
     assert out.failures == ()
     assert out.done().all()
-    assert np.isfinite(out.read("K_d")).all()
+    assert np.isfinite(out.read_map("K_d")).all()
 
 
 def test_nothing_readable_and_nothing_measured(paint: Path, tmp_path: Path) -> None:
@@ -354,7 +354,7 @@ def test_directions_weights_and_starts_reach_the_solver(paint: Path, tmp_path: P
     out = maps.fit_map(paint, MODEL, out=tmp_path / "a.zarr", max_theta=0.9, loss="plain")
     rows = np.ascontiguousarray(stack.texels(2, 3)[:, near])
     direct = TexelSolver(MODEL, stack.wi[near], stack.wo[near], 3, loss="plain").fit(rows, out.plan.starts)
-    np.testing.assert_array_equal(out.read("sigma_s")[2, 3], direct.x[:, 5])
+    np.testing.assert_array_equal(out.read_map("sigma_s")[2, 3], direct.x[:, 5])
     model = OrenNayar(K_d=(0.1, 0.2, 0.3), sigma_d=0.5) + TorranceSparrow(K_s=0.4, sigma_s=0.3)
     given = plans.Plan.make(stack, plans.Settings.of(stack, model, "linear", None, (), (), "uniform", None), model)
     np.testing.assert_allclose(given.starts[-1], [0.1, 0.2, 0.3, 0.5, 0.4, 0.3])
@@ -371,9 +371,9 @@ def test_trends_are_fitted_over_all_times(tmp_path: Path) -> None:
     out = maps.fit_map(stack, "lambert", out=tmp_path / "out.zarr", trends={"K_d": "linear"})
     assert out.joint
     assert list(out.variables) == ["K_d_start", "K_d_end"]
-    assert out.read("K_d_start").shape == (5, 4, 3)
-    assert out.read("status").shape == (5, 4)
-    np.testing.assert_allclose(out.read("K_d_end"), 2 * start, rtol=0.02)
+    assert out.read_map("K_d_start").shape == (5, 4, 3)
+    assert out.read_map("status").shape == (5, 4)
+    np.testing.assert_allclose(out.read_map("K_d_end"), 2 * start, rtol=0.02)
     np.testing.assert_allclose(out.values("K_d"), K_d, rtol=0.02)
     material = out.material(1, 1)
     np.testing.assert_allclose(material.at(3.0).parameters["K_d"], start[1, 1] * 1.75, rtol=0.02)
@@ -408,9 +408,9 @@ def test_the_staf_reader_reads_the_export_back(fitted: maps.FittedMap, tmp_path:
     assert back.shape == (24, 20)
     for k, t in enumerate((0.0, 0.5, 1.0)):
         at = back.at(t)
-        np.testing.assert_allclose(at["K_d"], fitted.read("K_d")[:, :, k], rtol=1e-5)
-        np.testing.assert_allclose(at["sigma_s"], fitted.read("sigma_s")[:, :, k], rtol=1e-4)
-        np.testing.assert_allclose(at["K_s"], fitted.read("K_s")[:, :, k], rtol=1e-4)
+        np.testing.assert_allclose(at["K_d"], fitted.read_map("K_d")[:, :, k], rtol=1e-5)
+        np.testing.assert_allclose(at["sigma_s"], fitted.read_map("sigma_s")[:, :, k], rtol=1e-4)
+        np.testing.assert_allclose(at["K_s"], fitted.read_map("K_s")[:, :, k], rtol=1e-4)
 
 
 def test_models_that_the_layout_cannot_hold(fitted: maps.FittedMap, tmp_path: Path) -> None:
@@ -438,7 +438,7 @@ def test_facets_and_matte_models_are_exported(paint: Path, fitted: maps.FittedMa
     maps.export_exr(replace(fitted, plan=plan), tmp_path / "exr")
     at, wi, wo = read(tmp_path / "exr").at(0), maps.open_map(paint).wi, maps.open_map(paint).wo  # type: ignore[union-attr]
     for y, x in ((0, 0), (20, 11)):
-        given = {name: float(fitted.read(name)[y, x, 0]) for name in ("K_s", "sigma_s")}
+        given = {name: float(fitted.read_map(name)[y, x, 0]) for name in ("K_s", "sigma_s")}
         back = TorranceSparrow(K_s=at["K_s"][y, x], sigma_s=at["sigma_s"][y, x])
         true = TorranceSparrow(**given, normalization="facets")
         np.testing.assert_allclose(back.eval(wi, wo), true.eval(wi, wo), rtol=1e-4)
@@ -446,7 +446,7 @@ def test_facets_and_matte_models_are_exported(paint: Path, fitted: maps.FittedMa
     maps.export_exr(matte, tmp_path / "matte")
     at = read(tmp_path / "matte").at(0)  # type: ignore[union-attr]
     assert at["K_s"].max() == at["sigma_s"].max() == 0
-    np.testing.assert_allclose(at["K_d"], matte.read("K_d")[:, :, 0], rtol=1e-6)
+    np.testing.assert_allclose(at["K_d"], matte.read_map("K_d")[:, :, 0], rtol=1e-6)
 
 
 def test_the_page_shows_every_map(fitted: maps.FittedMap, tmp_path: Path) -> None:

@@ -34,7 +34,7 @@ def small(path: Path, **options: Any) -> maps.MapStack:
 def test_a_new_map_is_what_was_asked_for(tmp_path: Path) -> None:
     weights = [1, 2, 3, 4]
     made = small(tmp_path / "a.zarr", weights=weights, attributes={"source": "a test"}, wavelengths=(610, 550, 460))
-    assert np.isnan(made.read((0, 0))).all()
+    assert np.isnan(made.read_block((0, 0))).all()
     values = np.random.default_rng(1).random((6, 5, *made.sizes)).astype(np.float32)
     for block in made.blocks:
         y, x = made.blocks.slices(block)
@@ -77,7 +77,7 @@ def test_a_map_that_xarray_wrote_is_read(tmp_path: Path) -> None:
     found = maps.open_map(tmp_path / "x.zarr")
     np.testing.assert_array_equal(found.hours, [0, 1.5])
     assert found.channels == ("grey",)
-    read = found.read((0, 0))
+    read = found.read_block((0, 0))
     assert read.dtype == np.float32
     assert np.isnan(read[0, 0, 0, :2, 0]).all()  # what cannot be a value
     assert read[0, 0, 0, 2, 0] == np.float32(-0.01)  # noise, and so a datum, as in `motes.read`
@@ -94,7 +94,7 @@ def test_packed_numbers_are_unpacked(tmp_path: Path) -> None:
     )
     packed[...] = 3
     packed[0, 0, 0, 0, 0] = 9
-    read = maps.open_map(made.path).read((0, 0))
+    read = maps.open_map(made.path).read_block((0, 0))
     assert np.isnan(read[0, 0, 0, 0, 0])
     assert read[1, 1, 1, 1, 1] == pytest.approx(0.53)
 
@@ -284,7 +284,7 @@ def test_simulated_maps_keep_their_truth(tmp_path: Path) -> None:
         K_s=true["K_s"], sigma_s=true["sigma_s"]
     )
     np.testing.assert_allclose(made.texels(8, 4)[1], model.eval(made.wi, made.wo), rtol=1e-5)
-    ratio = again.read((0, 0)) / made.read((0, 0))
+    ratio = again.read_block((0, 0)) / made.read_block((0, 0))
     assert ratio.std() == pytest.approx(0.1, rel=0.05)
     with pytest.raises(ParameterError):
         maps.simulate_map(tmp_path / "d.zarr", (0, 5))

@@ -121,7 +121,7 @@ def table(fitted: maps.FittedMap, stack: maps.MapStack, true: dict[str, Floats])
     found = compare(fitted, stack)
     seen = np.isfinite(true["sigma_s"]) & (true["K_s"] > 0)
     values = {name: fitted.values(name) for name in true}
-    stderr = fitted.read("sigma_s_stderr")
+    stderr = fitted.read_map("sigma_s_stderr")
     strong = seen & (true["K_s"] * staf_area(true["sigma_s"]) > 0.01) & (true["sigma_s"] > 0.05)
     for name, where, words in (
         ("K_d", np.ones(seen.shape, bool), "all"),
@@ -134,7 +134,7 @@ def table(fitted: maps.FittedMap, stack: maps.MapStack, true: dict[str, Floats])
         good = np.isfinite(value)
         error = np.abs(value - truth)[good]
         relative = error / np.maximum(truth[good], 1e-9)
-        bound = fitted.read(f"{name}_stderr")[where][good]
+        bound = fitted.read_map(f"{name}_stderr")[where][good]
         known = np.isfinite(bound)
         inside = np.mean(error[known] <= 2 * bound[known])
         rows.append(
@@ -200,7 +200,7 @@ def draw(path: Path, fitted: maps.FittedMap, true: dict[str, Floats]) -> None:
     step = max(1, fitted.shape[0] // PANEL)
     where = (slice(None, None, step), slice(None, None, step))
     fit = {name: fitted.values(name, where) for name in true}
-    stderr = fitted.read("sigma_s_stderr", where)
+    stderr = fitted.read_map("sigma_s_stderr", where)
     with np.errstate(invalid="ignore"):
         fit["width"] = np.where(stderr < DETERMINED, fit["sigma_s"], np.nan)
     real = {name: value[where].astype(float) for name, value in true.items()}

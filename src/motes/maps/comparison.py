@@ -20,7 +20,7 @@ def quartiles(fitted: FittedMap) -> dict[str, tuple[float, float, float, float]]
     where = (slice(step // 2, None, step), slice(step // 2, None, step))
     found = {}
     for name in fitted.variables:
-        values, errors = (_finite(fitted.read(n, where)) for n in (name, f"{name}_stderr"))
+        values, errors = (_finite(fitted.read_map(n, where)) for n in (name, f"{name}_stderr"))
         low, middle, high = np.quantile(values, (0.25, 0.5, 0.75)) if len(values) else (np.nan,) * 3
         found[name] = (float(low), float(middle), float(high), float(np.median(errors)) if len(errors) else np.nan)
     return found
@@ -64,7 +64,7 @@ def compare(
         size = np.abs(error)
         inside = None
         if not fitted.joint:
-            stderr = np.broadcast_to(fitted.read(f"{name}_stderr", where), value.shape)[good]
+            stderr = np.broadcast_to(fitted.read_map(f"{name}_stderr", where), value.shape)[good]
             known = np.isfinite(stderr)
             inside = float(np.mean(size[known] <= 2 * stderr[known])) if known.any() else None
         result[name] = {

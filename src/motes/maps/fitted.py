@@ -114,7 +114,7 @@ class FittedMap:
             totals += np.bincount(np.asarray(status[self.blocks.slices(block)]).ravel(), minlength=256)
         return {name: int(totals[value]) for name, value in FLAGS.items()}
 
-    def read(self, name: str, where: tuple[slice, slice] = (slice(None), slice(None))) -> NDArray[Any]:
+    def read_map(self, name: str, where: tuple[slice, slice] = (slice(None), slice(None))) -> NDArray[Any]:
         """A map of the store, or the part of it `where`: one of `variables`, its ``_stderr``, ``relative_rms``, ``status``."""
         if name not in self.group:
             raise MotesError(f"{self.path} has no map {name!r}", f"It has {', '.join(self.variables)}")
@@ -129,12 +129,12 @@ class FittedMap:
         if not parts:
             raise MotesError(f"{self.path} has no parameter {quantity!r}", f"It has {', '.join(self.quantities)}")
         if not self.joint:
-            return self.read(parts[None].name, where).astype(float)
+            return self.read_map(parts[None].name, where).astype(float)
         colour = any(v.per_channel for v in parts.values())
         tail = (1,) if colour else ()
         coefficients: dict[str, Floats] = {}
         for label, v in parts.items():
-            c = self.read(v.name, where).astype(float)
+            c = self.read_map(v.name, where).astype(float)
             coefficients[str(label)] = c[:, :, None, :] if v.per_channel else c.reshape(*c.shape, 1, *tail)
         kind = self.kinds[quantity]
         basis = [b.reshape(-1, *tail) for b in KINDS[kind].basis(self.hours, *self._interval)]
@@ -240,7 +240,7 @@ class FittedMap:
 
     def _trend(self, quantity: str, where: tuple[slice, slice]) -> Trend:
         coefficients = {
-            str(v.coefficient): np.asarray(self.read(v.name, where)[0, 0], float)
+            str(v.coefficient): np.asarray(self.read_map(v.name, where)[0, 0], float)
             for v in self.variables.values()
             if v.quantity == quantity
         }

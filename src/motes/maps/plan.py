@@ -255,7 +255,7 @@ def _samples(stack: MapStack) -> dict[str, Singles]:
         ys = ((k + 0.5) / SAMPLED_TEXELS * height).astype(int)
         xs = ((k * 0.6180339887 + 0.5) % 1 * width).astype(int)
         try:
-            values = stack.read(block)
+            values = stack.read_block(block)
         except Exception:  # said when its turn comes
             continue
         found[f"{block[0]},{block[1]}"] = values[ys, xs]

@@ -80,7 +80,7 @@ class MapStack:
         inner = math.prod(self.array.chunks[:2])
         return max(1.0, float(inner / math.prod(self.blocks.block)))
 
-    def read(self, block: tuple[int, int]) -> Singles:
+    def read_block(self, block: tuple[int, int]) -> Singles:
         """The values of a block (y, x, T, D, C), float32; NaN where it cannot be a value: see `usable`."""
         return self._values(self.blocks.slices(block))
 

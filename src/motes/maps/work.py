@@ -25,7 +25,7 @@ class Outcome(NamedTuple):
 def read_block(fitted: FittedMap, block: tuple[int, int]) -> Singles | str:
     """The values (y, x, T, D, C) of a block, or in words why they cannot be read."""
     try:
-        return fitted.plan.stack.read(block)
+        return fitted.plan.stack.read_block(block)
     except MemoryError:
         return "its values do not fit into memory"
     except Exception as error:  # a codec raises what it likes

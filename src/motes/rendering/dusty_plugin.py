@@ -57,7 +57,7 @@ def layer_class(mi: Any) -> type:
                     f"{name}: the nested BSDF lets light through unbent", "Put motes_dusty inside the mask"
                 )
             self.values = Values(mi, name, DustLayer(_Nested()))
-            self.values.read(properties)
+            self.values.read_parameters(properties)
             count = self.base.component_count()
             self.dust_flag = flags.DiffuseReflection | flags.FrontSide | flags.SpatiallyVarying
             self.m_components = [*(self.base.flags(k) for k in range(count)), self.dust_flag]

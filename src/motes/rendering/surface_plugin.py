@@ -26,7 +26,7 @@ def surface_class(mi: Any) -> type:
         ) -> None:
             mi.BSDF.__init__(self, properties)
             self.values = Values(mi, properties.plugin_name(), template, wavelengths)
-            self.values.read(properties, others)
+            self.values.read_parameters(properties, others)
             parts = template.components(np, 1.0)
             flags = mi.BSDFFlags
             front = flags.FrontSide | flags.SpatiallyVarying

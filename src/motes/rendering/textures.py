@@ -65,7 +65,7 @@ class Values:
     given: dict[Path, Value] = field(default_factory=dict)
     values: dict[Path, Value] = field(default_factory=dict)
 
-    def read(self, properties: Any, others: tuple[str, ...] = (), skip: tuple[Path, ...] = ()) -> None:
+    def read_parameters(self, properties: Any, others: tuple[str, ...] = (), skip: tuple[Path, ...] = ()) -> None:
         """Take from a plugin's properties what is there, and the template's values for the rest.
 
         `others` are names that mean something else to the plugin; the parameters at `skip` are not its own.

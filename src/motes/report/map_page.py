@@ -88,7 +88,7 @@ def parameter_strips(fitted: FittedMap) -> list[Strip]:
     if fitted.joint:
         for v in fitted.variables.values():
             if v.unit == "h":
-                strips.append(_strip(v.name, f"{v.doc} [h]", fitted.read(v.name, where)[:, :, None], ("",), fitted))
+                strips.append(_strip(v.name, f"{v.doc} [h]", fitted.read_map(v.name, where)[:, :, None], ("",), fitted))
     return strips
 
 
@@ -181,12 +181,12 @@ def _page(fitted: FittedMap, strips: list[Strip]) -> str:
 
 def _errors(fitted: FittedMap, where: tuple[slice, slice]) -> list[Html]:
     """Relative residuals, and standard errors at the middle time."""
-    rms = fitted.read("relative_rms", where)
+    rms = fitted.read_map("relative_rms", where)
     rms = rms if rms.ndim == 3 else rms[:, :, None]
     middle = rms.shape[2] // 2
     pictures = [_strip("relative residual", "", rms[:, :, middle, None], ("relative residual",), fitted)]
     for v in fitted.variables.values():
-        errors = fitted.read(f"{v.name}_stderr", where)
+        errors = fitted.read_map(f"{v.name}_stderr", where)
         if v.per_channel:
             errors = errors.mean(axis=-1)
         errors = errors if errors.ndim == 3 else errors[:, :, None]
@@ -205,7 +205,7 @@ def _errors(fitted: FittedMap, where: tuple[slice, slice]) -> list[Html]:
 
 
 def _status(fitted: FittedMap, where: tuple[slice, slice], counts: dict[str, int]) -> list[Html]:
-    status = fitted.read("status", where)
+    status = fitted.read_map("status", where)
     worst = status if status.ndim == 2 else np.where(status == NOT_FITTED, 0, status).max(axis=2)
     picture = np.full((*worst.shape, 3), BLANK, np.uint8)
     for name, color in STATUS_COLORS.items():
