@@ -25,7 +25,7 @@ test: $(VENV)/.installed-dev
 	@command -v chromium google-chrome > /dev/null && command -v node > /dev/null && test -d viewer/node_modules \
 	  || echo "without chromium, node or viewer/node_modules (npm ci) the viewer's tests in a browser are skipped, by name"
 	@$(MAKE) --no-print-directory lint; lint=$$?; \
-	$(BIN)/python -m pytest -n $(JOBS); tests=$$?; \
+	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal; tests=$$?; \
 	test $$lint -eq 0 || echo "lint failed, see above"; \
 	exit $$((lint | tests))
 
@@ -47,5 +47,5 @@ bench: $(VENV)/.installed-dev
 	$(BIN)/python benchmarks/run.py --effort $(EFFORT)
 
 clean:
-	rm -rf $(VENV) out build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
+	rm -rf $(VENV) .bpy out build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
