@@ -5,7 +5,6 @@ from __future__ import annotations
 import base64
 import json
 import re
-import time
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,6 +12,7 @@ import numpy as np
 import pytest
 
 import motes
+from effort import units
 from motes import Material, MotesError, OrenNayar, TorranceSparrow
 from motes.fitting.over_time import ScanOutlier, TimeFit
 from motes.fitting.result import Status, Verdict
@@ -227,9 +227,8 @@ def test_names_out_of_files_are_text(paint: TimeFit) -> None:
 
 def test_the_same_bytes_whole_small_and_quick(paint: TimeFit, tmp_path: Path) -> None:
     write_time_report(paint, tmp_path / "warm.html")
-    started = time.process_time()
-    path = paint.report(tmp_path / "report.html")
-    assert time.process_time() - started < 2  # half a second on an idle machine
+    path = tmp_path / "report.html"
+    assert units(lambda: paint.report(path)) < 400  # 40 here
     assert path.read_bytes() == (tmp_path / "warm.html").read_bytes()
     assert path.stat().st_size < 2_000_000
     assert {p.name for p in tmp_path.iterdir()} == {"warm.html", "report.html"}

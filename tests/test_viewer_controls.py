@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import motes
+from effort import unit
 from motes.material import Material
 from motes.models import Lambert
 from motes.viewer import view
@@ -588,9 +589,9 @@ def test_the_page_remembers_nothing(chrome: Any, rock: Path) -> None:
 
 
 def test_speed_on_the_software_renderer(chrome: Any, rock: Path) -> None:
-    """Processor time for a frame at 512 x 512 while the sphere turns, and the time to the first picture.
+    """Processor time for a frame at 512 x 512 while the sphere turns, and that to the first picture, in units of work.
 
-    A machine that others use too has no frames a second worth a test: 10 of them a second on two cores leave 200 ms of processor time for each.
+    A machine that others use too has no frames a second worth a test: 10 of them a second on two cores leave 200 ms of processor time for each, 28 units.
     docs/viewer.md has the figures of a quiet machine.
     """
     session = chrome.new_browser_cdp_session()
@@ -610,16 +611,18 @@ def test_speed_on_the_software_renderer(chrome: Any, rock: Path) -> None:
       };
       requestAnimationFrame(turn);
     })"""
+    closed = seconds()
     with Viewed(chrome, rock, size=(546, 860)) as viewed:
-        viewed.settled().js("void (app.stage.style.height = '514px')")
+        viewed.settled()
+        opening = seconds() - closed
+        viewed.js("void (app.stage.style.height = '514px')")
         viewed.page.evaluate(turning)  # until it has found how much the machine can do
         before = seconds()
         frames, width, height = viewed.page.evaluate(turning)
         spent = seconds() - before
-        first = viewed.js("app.firstPicture")
         print(
-            f"first picture after {first:.0f} ms; {frames / 3:.1f} frames/s, {1e3 * spent / frames:.0f} ms of processor time each"
+            f"first picture after {opening:.2f} s of processor time; {frames / 3:.1f} frames/s, {1e3 * spent / frames:.0f} ms each"
         )
         assert (width, height) == (512, 512)
-        assert spent / frames < 0.2
-        assert first < 10_000
+        assert spent / frames < 40 * unit()  # 18 here, beside others
+        assert opening < 1000 * unit()
