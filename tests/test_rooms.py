@@ -30,7 +30,7 @@ def rooms() -> ModuleType:
 
 
 # Names that two rooms share, and rooms whose circles, are still to be mended.
-DOUBLE = {"scans"}
+DOUBLE = {"plausibility", "scans", "transfer"}
 ROUND = ("motes.fitting.", "motes.meshes.")
 
 

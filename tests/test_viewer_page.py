@@ -23,7 +23,7 @@ from motes.measurements import Measurement
 from motes.meshes import shapes as originals
 from motes.models import BRDF, Fresnel, Lambert, parse, registered
 from motes.parameters import Parametrised
-from motes.viewer import declarations, library, shipped_shapes
+from motes.viewer import declarations, shader_library, shipped_shapes
 from motes.viewer.page import page, policy, safe_json
 from motes.viewer.payload import MOST_DIRECTIONS, payload
 from motes.viewer.viewing import View, view
@@ -132,8 +132,8 @@ def test_a_layer_over_a_base_is_a_layer_over_a_lambertian_of_its_value() -> None
     base = np.asarray(ROCK.eval(wi, wo))
     over = motes.DustLayer(Lambert(K_d=np.pi * base), DUSTY.dust, DUSTY.tau)
     np.testing.assert_allclose(over.eval(wi, wo), DUSTY.eval(wi, wo), rtol=1e-12)
-    assert set(library.library()) == set(library.pieces())
-    for name, piece in library.library().items():
+    assert set(shader_library.library()) == set(shader_library.pieces())
+    for name, piece in shader_library.library().items():
         assert f"vec3 {name}_eval_with(" in piece["source"]
 
 
@@ -149,7 +149,7 @@ def test_the_page_finds_a_piece_for_every_model() -> None:
             elif f.name == "fresnel":
                 names = [[*start, *word] for start in names for word in ([], *([each] for each in registered(Fresnel)))]
         made |= {"_".join(each) for each in names}
-    assert made == set(library.pieces())
+    assert made == set(shader_library.pieces())
 
 
 def test_the_meshes_are_those_of_the_rendering_room() -> None:

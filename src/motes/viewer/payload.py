@@ -31,7 +31,7 @@ from motes.viewer.contract import (
     TrendView,
 )
 from motes.viewer.declarations import declared
-from motes.viewer.library import library, shader_view
+from motes.viewer.shader_library import library, shader_view
 from motes.viewer.shipped_shapes import shapes
 
 Floats = NDArray[np.float64]
