@@ -25,6 +25,8 @@ RED = (0.8, 0.5, 0.2)
 WHITE = (0.9, 0.8, 0.7)
 CASES: dict[str, tuple[Description, BRDF]] = {
     "defaults": ({"type": "motes_oren_nayar"}, OrenNayar()),
+    "lambert": ({"type": "motes_lambert", "K_d": rgb(*RED)}, Lambert(RED)),
+    "dust": ({"type": "motes_dust", "w": rgb(*WHITE), "g": 0.4, "form": "brdf"}, Dust(WHITE, 0.4)),
     "oren_nayar": ({"type": "motes_oren_nayar", "K_d": rgb(*RED), "sigma_d": 0.9}, OrenNayar(RED, 0.9)),
     "brighter_than_white": ({"type": "motes_oren_nayar", "K_d": rgb(3.0, 1.2, 0.2)}, OrenNayar((3.0, 1.2, 0.2))),
     "torrance_sparrow": ({"type": "motes_torrance_sparrow", "K_s": 0.8, "sigma_s": 0.05}, TorranceSparrow(0.8, 0.05)),

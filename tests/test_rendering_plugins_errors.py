@@ -54,6 +54,7 @@ def mi() -> Any:
         ),
         ({"type": "motes_torrance_sparrow", "fresnel": 1.5}, "fresnel = 1.5 is not a word"),
         ({"type": "motes_torrance_sparrow", "normalization": "none"}, "normalization = 'none' is not one of printed"),
+        ({"type": "motes_dust", "form": "brightness"}, "motes_dust with form = 'brightness' is not reciprocal"),
         ({"type": "motes_torrance_sparrow", "n": 1.5}, "motes_torrance_sparrow has no parameter 'n'"),
         ({"type": "motes_material"}, "motes_material has no filename"),
         ({"type": "motes_material", "filename": "/nowhere/paint.json"}, "paint.json cannot be read: No such file"),

@@ -138,14 +138,18 @@ def describe(model: Parametrised, *, values: bool = False) -> str:
     if isinstance(model, Sum):
         a, b = describe(model.a, values=values), describe(model.b, values=values)
         return f"{a} + ({b})" if isinstance(model.b, Sum) else f"{a} + {b}"
-    parts, positional = [], [p.name for p in _positional(type(model))]
+    parts: list[str] = []
+    unnamed, positional = 0, [p.name for p in _positional(type(model))]
     for f in fields(model):
         value = getattr(model, f.name)
         if isinstance(value, Parametrised):
             text = describe(value, values=values)
             if not values and isinstance(f.default, Parametrised) and text == describe(f.default):
                 continue  # `parse` puts it there
-            parts.append(text if f.name in positional else f"{f.name}={text}")
+            # Without its name as long as all before it are.
+            bare = len(parts) == unnamed and positional[unnamed : unnamed + 1] == [f.name]
+            unnamed += bare
+            parts.append(text if bare else f"{f.name}={text}")
         elif "parameter" in f.metadata:
             if values:
                 parts.append(f"{f.name}={value.tolist() if hasattr(value, 'tolist') else value}")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, final
+from typing import Any, cast, final
 
 from motes import arrays, equations
 from motes.arrays import Array, Columns
@@ -154,8 +154,7 @@ class _Layer:
     def __init__(self, model: BRDF, averaged: BRDF, wi: Any) -> None:
         import drjit as dr
 
-        assert isinstance(model, DustLayer)
-        self.xp, self.model, self.wi = arrays.namespace(wi), model, wi
+        self.xp, self.model, self.wi = arrays.namespace(wi), cast(DustLayer, model), wi  # the template of this plugin
         base, dust = averaged.components(self.xp, self.xp.maximum(dr.detach(wi.z), SMALLEST_COSINE))
         self.chance = base.importance / (base.importance + dust.importance)
         self._sampler = Mixture(model, averaged, wi, [1])
