@@ -44,9 +44,20 @@ def existing(path: str) -> Path:
 
 
 def material_at(path: Path) -> Path | None:
-    """The file of the material at a path, where it holds one: a JSON file, or the folder that ``motes fit`` wrote."""
+    """The file of the material at a path, where it holds one: a JSON file, or the folder that ``motes fit`` wrote.
+
+    A JSON file of measured data (BiRD) is none.
+    """
+    from motes.files import reading
+    from motes.measurements import bird
+
     file = path / "material.json" if path.is_dir() else path
-    return file if file.suffix.lower() == ".json" and file.is_file() else None
+    if file.suffix.lower() != ".json" or not file.is_file():
+        return None
+    try:
+        return None if bird.sniff(file, reading.head(file)) else file
+    except OSError:  # whoever opens it says why not
+        return file
 
 
 def material_of(path: str) -> Material:

@@ -16,9 +16,29 @@ from typing import Any, TypeVar
 
 from motes.errors import FormatError, MotesError
 from motes.files import reading
-from motes.measurements import cornell, curet, mbsdf, merl, merl_slice, rgl, staf, table, tvbrdf
+from motes.measurements import (
+    astm,
+    bird,
+    bsdf_xml,
+    cornell,
+    curet,
+    lighttools,
+    mbsdf,
+    merl,
+    merl_slice,
+    native_staf,
+    openmaterial,
+    pab_opto,
+    rgl,
+    staf,
+    table,
+    tvbrdf,
+    utia,
+    zemax,
+)
 from motes.measurements.measurement import Measurement
 from motes.measurements.parameter_maps import ParameterMaps
+from motes.measurements.tabulated_maps import TabulatedMaps
 
 T = TypeVar("T")
 
@@ -44,7 +64,7 @@ class Reader:
     description: str
     source: str
     sniff: Callable[[Path, bytes], bool]
-    read: Callable[..., Measurement | ParameterMaps]
+    read: Callable[..., Measurement | ParameterMaps | TabulatedMaps]
     samples: Callable[[Path], list[str]] | None = None
 
     @property
@@ -60,6 +80,7 @@ class Reader:
 # Binary formats with a magic number first, then those that are told apart by their text.
 _TABLE = (
     Reader(rgl.NAME, "RGL tensor file (.bsdf), adaptive RGB or spectral", rgl.SOURCE, rgl.sniff, rgl.read_rgl),
+    Reader(utia.NAME, "UTIA BRDF table (.bin or .exr), 6 x 48 x 6 x 48 RGB", utia.SOURCE, utia.sniff, utia.read_utia),
     Reader(mbsdf.NAME, "MBSDF table of the MDL SDK", mbsdf.SOURCE, mbsdf.sniff, mbsdf.read_mbsdf),
     Reader(
         merl_slice.NAME,
@@ -77,6 +98,13 @@ _TABLE = (
         tvbrdf.read_tvbrdf,
         tvbrdf.samples,
     ),
+    Reader(
+        native_staf.NAME,
+        "STAF folder of its authors: maps (.exr) at measured times",
+        native_staf.SOURCE,
+        native_staf.sniff,
+        native_staf.read_native_staf,
+    ),
     Reader(staf.NAME, "STAF folder of polynomial parameter maps (.exr)", staf.SOURCE, staf.sniff, staf.read_staf),
     Reader(
         curet.NAME,
@@ -85,6 +113,31 @@ _TABLE = (
         curet.sniff,
         curet.read_curet,
         curet.samples,
+    ),
+    Reader(bird.NAME, "BiRD JSON of BRDF metrology (16NRM08)", bird.SOURCE, bird.sniff, bird.read_bird),
+    Reader(
+        openmaterial.NAME,
+        "ASAM OpenMATERIAL BRDF table (.xompt)",
+        openmaterial.SOURCE,
+        openmaterial.sniff,
+        openmaterial.read_openmaterial,
+    ),
+    Reader(
+        bsdf_xml.NAME,
+        "WINDOW/Radiance BSDF (.xml): Klems matrix or tensor tree",
+        bsdf_xml.SOURCE,
+        bsdf_xml.sniff,
+        bsdf_xml.read_bsdf_xml,
+    ),
+    Reader(zemax.NAME, "Zemax tabular BSDF (.bsdf text)", zemax.SOURCE, zemax.sniff, zemax.read_zemax),
+    Reader(lighttools.NAME, "LightTools BSDF (text)", lighttools.SOURCE, lighttools.sniff, lighttools.read_lighttools),
+    Reader(astm.NAME, "ASTM E1392/E2387 text (.astm)", astm.SOURCE, astm.sniff, astm.read_astm),
+    Reader(
+        pab_opto.NAME,
+        "pab-opto goniophotometer text, a file or a folder of them",
+        pab_opto.SOURCE,
+        pab_opto.sniff,
+        pab_opto.read_pab_opto,
     ),
     Reader(
         cornell.NAME, "Cornell spectral goniometer text (.brdf)", cornell.SOURCE, cornell.sniff, cornell.read_cornell
@@ -135,7 +188,7 @@ def read(
     relative_uncertainty: float | None = None,
     common_uncertainty: float | None = None,
     **options: Any,
-) -> Measurement | ParameterMaps:
+) -> Measurement | ParameterMaps | TabulatedMaps:
     """Read measured reflectance; the format is found from the content of the file or folder.
 
     Parameters
@@ -158,8 +211,8 @@ def read(
 
     Returns
     -------
-    Measurement or ParameterMaps
-        The latter for maps of fitted parameters (STAF).
+    Measurement, ParameterMaps or TabulatedMaps
+        The last two for maps of fitted parameters (STAF): polynomials of time, or maps at measured times.
 
     Raises
     ------
