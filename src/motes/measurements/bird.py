@@ -94,7 +94,7 @@ def read_bird(path: Path, *, coverage: float = 1.0, polarization: str | None = N
                 f"{path} holds no s and p to take the mean of, only {', '.join(map(str, states))}", "Leave it out"
             )
         values, spread = values.mean(axis=-1, keepdims=True), np.sqrt(np.sum(spread**2, axis=-1, keepdims=True)) / 2
-        present, states = present.all(axis=-1, keepdims=True), np.array(["u"])
+        present, states = np.asarray(present.all(axis=-1, keepdims=True)), np.array(["u"])
         notes.append("Each value is the mean of s and p polarised light")
     wi = directions.from_spherical(angles[:, 0], angles[:, 1])
     wo = directions.from_spherical(angles[:, 2], angles[:, 3])
