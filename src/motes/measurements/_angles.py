@@ -61,4 +61,4 @@ def polar_bins(n: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
 def node_weights(theta: NDArray[np.float64]) -> NDArray[np.float64]:
     """Solid angles per azimuth of increasing polar angles: |d cos theta| between their midpoints, 0 and pi/2."""
     edges = np.concatenate([[0.0], (theta[1:] + theta[:-1]) / 2, [HALF_PI]])
-    return np.abs(np.diff(np.cos(np.clip(edges, 0, HALF_PI))))
+    return np.asarray(np.abs(np.diff(np.cos(np.clip(edges, 0, HALF_PI)))))

@@ -63,13 +63,13 @@ class AngleBasis:
     def solid_angle(self) -> Array:
         """(n,) [sr]."""
         rings = -np.diff(np.cos(np.deg2rad(self.edges))) * 2 * np.pi / np.array(self.counts)
-        return rings[self.ring]
+        return np.asarray(rings[self.ring])
 
     @cached_property
     def projected_solid_angle(self) -> Array:
         """(n,) [sr], the solid angle with the cosine: what Klems calls lambda."""
         rings = -np.diff(np.cos(np.deg2rad(self.edges)) ** 2) * np.pi / np.array(self.counts)
-        return rings[self.ring]
+        return np.asarray(rings[self.ring])
 
     def centres(self) -> Array:
         """Outgoing directions (n, 3) in the middle of the patches."""
@@ -99,4 +99,4 @@ KLEMS = {
 
 def towards_light(outgoing: Array) -> Array:
     """Vectors to the light for incident patches whose outgoing directions are given (..., 3): turned by pi about z."""
-    return outgoing * np.array([-1.0, -1.0, 1.0])
+    return np.asarray(outgoing * np.array([-1.0, -1.0, 1.0]))

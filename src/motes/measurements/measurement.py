@@ -199,15 +199,15 @@ class Measurement:
 
     @property
     def n_times(self) -> int:
-        return self.values.shape[0]
+        return int(self.values.shape[0])
 
     @property
     def n_directions(self) -> int:
-        return self.values.shape[1]
+        return int(self.values.shape[1])
 
     @property
     def n_channels(self) -> int:
-        return self.values.shape[2]
+        return int(self.values.shape[2])
 
     @property
     def name(self) -> str:
@@ -228,7 +228,7 @@ class Measurement:
     def dphi(self) -> NDArray[np.float64]:
         """phi_r - phi_i (N,) [rad] in (-pi, pi]: 0 is backscatter, pi the specular side; 0 at normal incidence."""
         (xi, yi), (xo, yo) = self.wi.T[:2], self.wo.T[:2]
-        return np.arctan2(xi * yo - yi * xo, xi * xo + yi * yo)
+        return np.asarray(np.arctan2(xi * yo - yi * xo, xi * xo + yi * yo))
 
     def at(self, index: int) -> Self:
         """The measurement of one time, by its index; negative ones count from the end."""

@@ -129,7 +129,7 @@ def _hours(path: Path) -> Array | None:
     hours = np.array(rows) @ np.array([24, 1, 1 / 60, 1 / 3600])
     if not np.all(np.isfinite(hours)) or np.any(np.diff(hours) <= 0) or hours[-1] > 1e7:
         return None
-    return hours - hours[0]
+    return np.asarray(hours - hours[0])
 
 
 def _parameters(kd: Array, ks: Array, sigma: Array, bgr: bool) -> dict[str, Array]:

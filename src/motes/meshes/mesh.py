@@ -93,7 +93,7 @@ def turn_to_y(up: ArrayLike) -> Floats:
     v = u + y
     # A half turn about u, which leaves u, and one about the middle of u and y, which takes it to y.
     middle = np.outer(v, v) * (2 / (v @ v)) - np.eye(3)
-    return middle @ (2 * np.outer(u, u) - np.eye(3))
+    return np.asarray(middle @ (2 * np.outer(u, u) - np.eye(3)))
 
 
 def unit(vector: ArrayLike, name: str) -> Floats:
@@ -184,7 +184,7 @@ def _cross_products(mesh: Mesh) -> Floats:
 def face_normals(mesh: Mesh) -> Floats:
     """Unit normals (F, 3) of the triangles."""
     cross = _cross_products(mesh)
-    return cross / np.maximum(np.linalg.norm(cross, axis=1, keepdims=True), 1e-300)
+    return np.asarray(cross / np.maximum(np.linalg.norm(cross, axis=1, keepdims=True), 1e-300))
 
 
 def with_normals(mesh: Mesh, crease_deg: float = CREASE_DEG) -> Mesh:

@@ -202,7 +202,7 @@ class BRDF(Reflecting, ABC):
         theta = 0.25 * np.pi * (x + 1)
         wi = np.stack([np.sin(theta), 0 * theta, np.cos(theta)], -1)
         measure = 0.25 * np.pi * weights * np.sin(2 * theta)
-        return np.sum(self.directional_albedo(wi) * measure[:, None], axis=0)
+        return np.asarray(np.sum(self.directional_albedo(wi) * measure[:, None], axis=0))
 
     def __add__(self, other: BRDF) -> Sum:
         """Light reflected by either: the sum of the two BRDFs."""
