@@ -16,9 +16,9 @@ from image_files import MAGIC, PAETH, png_bytes, write_exr, write_parts
 from motes.drawing.colour import srgb_encode
 from motes.errors import FormatError, MissingExtraError, MotesError
 from motes.files import budget
-from motes.images import exr, transfer
+from motes.images import exr, transfer_functions
 from motes.images.photograph import open_photograph, read_mask
-from motes.images.transfer import asked, srgb_decode
+from motes.images.transfer_functions import asked, srgb_decode
 
 pytest.importorskip("OpenImageIO")
 
@@ -86,7 +86,7 @@ SAID: list[tuple[str, tuple[tuple[bytes, bytes], ...], Callable[[np.ndarray], np
     ("linear", ((b"gAMA", gama(1)),), lambda e: e),
     ("gamma 2.2", ((b"gAMA", gama(1 / 2.2)),), lambda e: e**2.2),
     ("gamma 1.8", ((b"gAMA", gama(1 / 1.8)),), lambda e: e**1.8),
-    ("sRGB's own cHRM", ((b"gAMA", gama(1)), (b"cHRM", chrm(transfer.SRGB))), lambda e: e),
+    ("sRGB's own cHRM", ((b"gAMA", gama(1)), (b"cHRM", chrm(transfer_functions.SRGB))), lambda e: e),
     ("cICP linear", ((b"gAMA", gama(0.45455)), (b"cICP", bytes([1, 8, 0, 1]))), lambda e: e),
     ("cICP sRGB", ((b"gAMA", gama(1)), (b"cICP", bytes([1, 13, 0, 1]))), srgb_decode),
 ]
@@ -121,8 +121,10 @@ def test_other_primaries_are_turned_into_those_of_srgb(tmp_path: Path) -> None:
     wide = (0.7347, 0.2653, 0.1596, 0.8404, 0.0366, 0.0001, 0.3457, 0.3585)  # ProPhoto, white D50
     rng = np.random.default_rng(3)
     codes = rng.integers(6000, 60000, (5, 6, 3), np.uint16)
-    target = cms.cms_profile("rgb", whitepoint=transfer.SRGB[6:], primaries=transfer.SRGB[:6], gamma=1.0)
-    for primaries in (adobe, transfer.BT2020, transfer.P3_D65, (*wide[:5], 0.001, *wide[6:])):
+    target = cms.cms_profile(
+        "rgb", whitepoint=transfer_functions.SRGB[6:], primaries=transfer_functions.SRGB[:6], gamma=1.0
+    )
+    for primaries in (adobe, transfer_functions.BT2020, transfer_functions.P3_D65, (*wide[:5], 0.001, *wide[6:])):
         chunks = ((b"gAMA", gama(1)), (b"cHRM", chrm(primaries)))
         (tmp_path / "a.png").write_bytes(png_bytes(codes, [0], chunks=chunks))
         own = cms.cms_profile("rgb", whitepoint=primaries[6:], primaries=primaries[:6], gamma=1.0)
@@ -130,7 +132,7 @@ def test_other_primaries_are_turned_into_those_of_srgb(tmp_path: Path) -> None:
             codes, own, target, colorspace="rgb", outcolorspace="rgb", outdtype="float32", intent=1
         )
         np.testing.assert_allclose(linear(tmp_path / "a.png"), expected, atol=2e-4)  # LittleCMS, through profiles
-    np.testing.assert_allclose(transfer.to_srgb((*wide[:5], 0.001, *wide[6:])) @ np.ones(3), 1, atol=1e-9)
+    np.testing.assert_allclose(transfer_functions.to_srgb((*wide[:5], 0.001, *wide[6:])) @ np.ones(3), 1, atol=1e-9)
     codes[0, 0] = 30000
     codes[0, 1] = (65535, 200, 300)  # a channel that is clipped takes part in all three
     (tmp_path / "a.png").write_bytes(png_bytes(codes, [0], chunks=((b"gAMA", gama(1)), (b"cHRM", chrm(adobe)))))
@@ -392,9 +394,11 @@ def test_a_picture_is_what_its_display_window_shows(tmp_path: Path) -> None:
 def test_chromaticities_and_ids(tmp_path: Path) -> None:
     pytest.importorskip("OpenEXR")
     colours = {"R": R, "G": G, "B": B}
-    wide = open_photograph(write_exr(tmp_path / "a.exr", colours, chromaticities=transfer.BT2020)).linear()
-    np.testing.assert_allclose(wide[0, 0], transfer.to_srgb(transfer.BT2020) @ [0.6, 0.4, 0.2], rtol=1e-5)
-    plain = open_photograph(write_exr(tmp_path / "a.exr", colours, chromaticities=transfer.SRGB)).linear()
+    wide = open_photograph(write_exr(tmp_path / "a.exr", colours, chromaticities=transfer_functions.BT2020)).linear()
+    np.testing.assert_allclose(
+        wide[0, 0], transfer_functions.to_srgb(transfer_functions.BT2020) @ [0.6, 0.4, 0.2], rtol=1e-5
+    )
+    plain = open_photograph(write_exr(tmp_path / "a.exr", colours, chromaticities=transfer_functions.SRGB)).linear()
     np.testing.assert_array_equal(plain[0, 0], np.float32([0.6, 0.4, 0.2]))
     write_exr(tmp_path / "a.exr", {"Y": np.ones((3, 4), np.uint32)})
     with pytest.raises(FormatError, match="holds uint, which is for names"):
@@ -466,7 +470,7 @@ def samples(folder: Path) -> dict[str, bytes]:
     write_parts(folder / "m.exr", {"a": names, "b": {"Z": names["V.C.R"]}})
     made = {path.name: path.read_bytes() for path in folder.iterdir()}
     return made | {
-        "p.png": png_bytes(codes, [1, PAETH], chunks=((b"gAMA", gama(0.5)), (b"cHRM", chrm(transfer.BT2020))))
+        "p.png": png_bytes(codes, [1, PAETH], chunks=((b"gAMA", gama(0.5)), (b"cHRM", chrm(transfer_functions.BT2020))))
     }
 
 

@@ -30,7 +30,7 @@ def rooms() -> ModuleType:
 
 
 # Names that two rooms share, and rooms whose circles, are still to be mended.
-DOUBLE = {"plausibility", "scans", "transfer"}
+DOUBLE = {"plausibility", "scans"}
 ROUND = ("motes.fitting.", "motes.meshes.")
 
 

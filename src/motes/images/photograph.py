@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from motes.errors import FormatError, MissingExtraError, MotesError
 from motes.files import reading
-from motes.images import exr, library, png, transfer
-from motes.images.transfer import Transfer
+from motes.images import exr, library, png, transfer_functions
+from motes.images.transfer_functions import Transfer
 
 Singles = NDArray[np.float32]
 Floats = NDArray[np.float64]
@@ -83,7 +83,7 @@ class Photograph:
                 lost = ~np.isfinite(values)
                 if self.transfer.kind in ("srgb", "gamma"):
                     curve = (
-                        transfer.srgb_decode(values)
+                        transfer_functions.srgb_decode(values)
                         if self.transfer.kind == "srgb"
                         else np.power(np.maximum(values, 0), self.transfer.gamma)
                     )
@@ -91,7 +91,7 @@ class Photograph:
             else:
                 lost = stored == self.largest
                 if self.transfer.kind == "icc":
-                    values = transfer.by_profile(stored, self.transfer.profile, self.largest)
+                    values = transfer_functions.by_profile(stored, self.transfer.profile, self.largest)
                 else:
                     values = self.transfer.table(self.largest)[stored]
             values[lost] = np.nan
@@ -179,7 +179,7 @@ def read_mask(path: Path, purpose: str = "Reading a mask") -> Floats:
 def _exr(path: Path, stated: Transfer | None, layer: str | None, purpose: str) -> Photograph:
     found = exr.read(path, purpose, layer)
     primaries = found.chromaticities
-    if primaries is not None and transfer.same_primaries(primaries, transfer.SRGB):
+    if primaries is not None and transfer_functions.same_primaries(primaries, transfer_functions.SRGB):
         primaries = None
     meaning = stated or Transfer("linear", "OpenEXR pictures are", primaries=primaries)
     notes = (f"the layer {found.layer} of OpenEXR pictures",) if found.layer else ()

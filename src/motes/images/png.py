@@ -10,13 +10,17 @@ import zlib
 from pathlib import Path
 
 from motes.errors import FormatError
-from motes.images import transfer
-from motes.images.transfer import Transfer
+from motes.images import transfer_functions
+from motes.images.transfer_functions import Transfer
 
 MAGIC = b"\x89PNG\r\n\x1a\n"
 LARGEST_FILE = 2**31
 LARGEST_PROFILE = 16 * 2**20
-_PRIMARIES = {1: transfer.SRGB, 9: transfer.BT2020, 12: transfer.P3_D65}  # of cICP, ITU-T H.273
+_PRIMARIES = {
+    1: transfer_functions.SRGB,
+    9: transfer_functions.BT2020,
+    12: transfer_functions.P3_D65,
+}  # of cICP, ITU-T H.273
 _CURVES = {8: "linear", 13: "srgb"}
 
 
@@ -77,7 +81,9 @@ def transfer_of(path: Path, chunks: dict[bytes, bytes]) -> Transfer | None:
                 "Say what the numbers are: --transfer linear, srgb or an exponent",
             )
         own = _PRIMARIES[primaries]
-        return Transfer(_CURVES[curve], "its cICP chunk says so", primaries=None if own == transfer.SRGB else own)
+        return Transfer(
+            _CURVES[curve], "its cICP chunk says so", primaries=None if own == transfer_functions.SRGB else own
+        )
     if b"iCCP" in chunks:
         return Transfer("icc", "its iCCP chunk holds it", profile=_profile(path, chunks[b"iCCP"]))
     if b"sRGB" in chunks:
@@ -86,7 +92,7 @@ def transfer_of(path: Path, chunks: dict[bytes, bytes]) -> Transfer | None:
         return None
     gama = struct.unpack(">I", chunks[b"gAMA"])[0] if len(chunks[b"gAMA"]) == 4 else 0
     gamma = 100000 / gama if gama else 0.0
-    if not transfer.LOWEST_GAMMA <= gamma <= transfer.HIGHEST_GAMMA:
+    if not transfer_functions.LOWEST_GAMMA <= gamma <= transfer_functions.HIGHEST_GAMMA:
         raise FormatError(
             f"{path}: its gAMA chunk says {gama / 1e5:g}, which is no transfer function",
             "Say what the numbers are: --transfer linear, srgb or an exponent",
@@ -95,7 +101,7 @@ def transfer_of(path: Path, chunks: dict[bytes, bytes]) -> Transfer | None:
     if len(chunks.get(b"cHRM", b"")) == 32:
         white_first = [v / 1e5 for v in struct.unpack(">8I", chunks[b"cHRM"])]
         own = (*white_first[2:], *white_first[:2])
-        primaries_ = None if transfer.same_primaries(own, transfer.SRGB) else own
+        primaries_ = None if transfer_functions.same_primaries(own, transfer_functions.SRGB) else own
     kind = "linear" if abs(gama - 100000) <= 1 else "gamma"
     return Transfer(kind, f"its gAMA chunk says {gama / 1e5:g}", gamma=gamma, primaries=primaries_)
 

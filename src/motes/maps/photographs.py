@@ -30,7 +30,7 @@ import numpy as np
 from motes.channels import default_names
 from motes.errors import FormatError, MotesError
 from motes.images.photograph import Photograph, open_photograph
-from motes.images.transfer import Transfer, asked
+from motes.images.transfer_functions import Transfer, asked
 from motes.maps import zarrs
 from motes.maps.lights import Row, rows_of, table_of
 from motes.maps.stack import MapStack, create_map, open_stack
