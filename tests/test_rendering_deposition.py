@@ -26,7 +26,7 @@ from motes.meshes.mesh import Mesh, read_mesh, with_normals
 from motes.meshes.shapes import plane, sphere, teapot
 from motes.meshes.subdivision import refine
 from motes.rendering.baking import bake, write_texture
-from motes.rendering.deposition import SETTLING, checked_tau, deposit, falling, hold, open_tau
+from motes.rendering.deposition import SETTLING, Points, checked_tau, deposit, falling, hold, open_tau
 from motes.rendering.noise import cloudy, gradient_noise
 from motes.rendering.wiping import Stroke, look_up, read_mask
 
@@ -102,36 +102,34 @@ def test_nothing_lands_under_a_table() -> None:
 
 def step() -> Mesh:
     """A block, 1 high and very wide, on a floor; its lee side is at x = 0."""
-    floor = plane(160, size=32)
-    return joined(floor, block((-8, 0, -16), (0, 1, 16), 5))
+    return joined(plane(2, size=32), block((-8, 0, -16), (0, 1, 16), 0))
+
+
+def level(x: np.ndarray, height: float) -> Points:
+    """Places on a level surface, along x, at z = 0.03."""
+    return Points(
+        np.stack([x, np.full_like(x, height), np.full_like(x, 0.03)], -1), np.tile([0.0, 1.0, 0.0], (len(x), 1)), None
+    )
 
 
 def test_dust_stays_in_the_lee_of_a_step() -> None:
-    mesh = step()
-    found = deposit(mesh, wind=(-1, 0, 0), rays=512, **EVEN)
-    p, lee = mesh.positions, found.factors["lee"]
-    line = (p[:, 1] == 0) & (p[:, 0] > 0) & (np.abs(p[:, 2]) < 0.1)
-    x, kept = p[line, 0], lee[line]
+    mesh, x = step(), np.linspace(0.2, 16, 80)
+    kept = deposit(mesh, wind=(-1, 0, 0), rays=512, where=level(x, 0), **EVEN).factors["lee"]
     assert kept[x < 2.5].min() > 0.99  # at the foot of the step nothing is blown away
     assert kept[x > 14].max() < 0.55
-    assert (np.diff(kept[np.argsort(x)]) <= 1e-9).all()
+    assert (np.diff(kept) <= 1e-9).all()
     # Half of the wind reaches the ground 6 step heights away, where a flow comes down again.
-    assert np.interp(-(1 - 0.5 * SETTLING["scour"].default), -kept[np.argsort(x)], np.sort(x)) == pytest.approx(
-        6, abs=0.5
-    )
-    top = (p[:, 1] == 1) & (np.abs(p[:, 2]) < 8) & (inclination_deg(mesh) < 1)
-    assert lee[top] == pytest.approx(1 - SETTLING["scour"].default, abs=1e-6)
+    assert np.interp(-(1 - 0.5 * SETTLING["scour"].default), -kept, x) == pytest.approx(6, abs=0.5)
+    top = deposit(mesh, wind=(-1, 0, 0), rays=512, where=level(np.linspace(-7.9, -0.1, 40), 1), **EVEN).factors["lee"]
+    assert top == pytest.approx(1 - SETTLING["scour"].default, abs=1e-6)
     # And from the other side the same floor lies before the step, where the wind blows.
-    against = deposit(mesh, wind=(1, 0, 0), rays=256, **EVEN).factors["lee"][line]
+    against = deposit(mesh, wind=(1, 0, 0), rays=256, where=level(x, 0), **EVEN).factors["lee"]
     assert against == pytest.approx(1 - SETTLING["scour"].default, abs=1e-6)
 
 
 def test_a_step_shades_dust_that_comes_from_the_side() -> None:
-    mesh = step()
-    found = deposit(mesh, source=(-1, 1, 0), spread_deg=1, **EVEN)
-    p = mesh.positions
-    line = (p[:, 1] == 0) & (p[:, 0] > 0) & (np.abs(p[:, 2]) < 0.1)
-    x, fall = p[line, 0], found.factors["fall"][line]
+    x = np.linspace(0.05, 8, 160)
+    fall = deposit(step(), source=(-1, 1, 0), spread_deg=1, where=level(x, 0), **EVEN).factors["fall"]
     assert fall[x < 0.9].max() == 0  # the shadow of a step of height 1 at 45 degrees is 1 long
     assert fall[x > 1.2] == pytest.approx(np.sqrt(0.5), rel=2e-3)
 
