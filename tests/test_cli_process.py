@@ -17,6 +17,7 @@ import pytest
 
 from motes import Lambert
 from motes.ageing import Rig, drying_plaster, simulate
+from motes.cli.main import main
 
 MOTES = (sys.executable, "-m", "motes.cli.main")
 SECONDS = 120  # after which a command counts as hung; none takes more than a few
@@ -92,23 +93,62 @@ BAD: dict[str, Callable[[Path], Path | bytes | str]] = {
 }
 
 
+#: Run the command lines of standard input (JSON, one a line), and say what each returned and wrote.
+EACH = """
+import contextlib, io, json, sys, traceback
+from motes.cli.main import main
+for line in sys.stdin:
+    out, err = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        try:
+            status = main(json.loads(line))
+        except BaseException:
+            status = traceback.format_exc()
+    print(json.dumps([status, out.getvalue(), err.getvalue()]), flush=True)
+"""
+
+
+@pytest.fixture(scope="module")
+def told(tmp_path_factory: pytest.TempPathFactory) -> dict[tuple[str, str], subprocess.CompletedProcess[str]]:
+    """``told["fit", name]``: what became of a bad input; all of them in one process, for starting takes longer than they do."""
+    commands: dict[tuple[str, str], list[str]] = {}
+    for name, make in BAD.items():
+        folder = tmp_path_factory.mktemp("bad")
+        (folder / "in").mkdir()
+        made = make(folder / "in")
+        path = made if isinstance(made, Path) else folder / "in" / name
+        if not isinstance(made, Path):
+            path.write_bytes(made.encode() if isinstance(made, str) else made)
+        commands["fit", name] = ["fit", str(path), "-o", str(folder / "out")]
+        commands["info", name] = ["info", str(path), "--json"]
+    given = "".join(json.dumps(command) + "\n" for command in commands.values())
+    run = [sys.executable, "-c", EACH]
+    done = subprocess.run(run, input=given, capture_output=True, text=True, timeout=SECONDS)
+    assert (done.returncode, done.stderr) == (0, "")
+    lines = [json.loads(line) for line in done.stdout.splitlines()]
+    return {
+        key: subprocess.CompletedProcess(command, *line)
+        for (key, command), line in zip(commands.items(), lines, strict=True)
+    }
+
+
 @pytest.mark.parametrize("name", BAD)
-def test_bad_input_is_explained_and_leaves_nothing(tmp_path: Path, name: str) -> None:
-    (tmp_path / "in").mkdir()
-    made = BAD[name](tmp_path / "in")
-    path = made if isinstance(made, Path) else tmp_path / "in" / name
-    if not isinstance(made, Path):
-        path.write_bytes(made.encode() if isinstance(made, str) else made)
-    explained(motes("fit", path, "-o", tmp_path / "out"))
-    assert not (tmp_path / "out").exists()
+def test_bad_input_is_explained_and_leaves_nothing(
+    told: dict[tuple[str, str], subprocess.CompletedProcess[str]], name: str
+) -> None:
+    explained(told["fit", name])
+    assert not Path(told["fit", name].args[-1]).exists()
 
 
 @pytest.mark.parametrize("name", ["garbage.bin", "absurd.bsdf", "damaged.json", "truncated.binary"])
-def test_info_explains_bad_input_too(tmp_path: Path, name: str) -> None:
-    made = BAD[name](tmp_path)
-    path = tmp_path / name
-    path.write_bytes(made.encode() if isinstance(made, str) else made)  # type: ignore[arg-type]
-    explained(motes("info", path, "--json"))
+def test_info_explains_bad_input_too(told: dict[tuple[str, str], subprocess.CompletedProcess[str]], name: str) -> None:
+    explained(told["info", name])
+
+
+def test_a_process_of_its_own_says_the_same(tmp_path: Path) -> None:
+    (tmp_path / "garbage.bin").write_bytes(bytes(range(256)) * 20)
+    explained(motes("fit", tmp_path / "garbage.bin", "-o", tmp_path / "out"))
+    assert not (tmp_path / "out").exists()
 
 
 def test_devices_and_pipes_are_not_read(tmp_path: Path) -> None:
@@ -234,22 +274,23 @@ def test_curet_sample_10_as_documented(tmp_path: Path, shared: Callable[[str], P
         assert result["metrics"]["relative_rms"] == pytest.approx(relative_rms, abs=2e-5)
 
 
-@pytest.mark.parametrize(
-    ("name", "format"),
-    [
-        ("cornell/cayman.brdf", "cornell"),
-        ("curet", "container"),
-        ("mbsdf/carpaint_blue.mbsdf", "mbsdf"),
-        ("rgl/vch_silk_blue_rgb.bsdf", "rgl"),
-        ("merl-slices/pink-felt-1d.alta", "merl-slice"),
-        ("staf-tvBTF45", "staf"),
-    ],
-)
-def test_info_knows_the_formats(shared: Callable[[str], Path], name: str, format: str) -> None:
-    result = motes("info", shared(f"data/{name}"), "--json")
-    assert (result.returncode, result.stderr) == (0, "")
-    summary = json.loads(result.stdout)
-    assert format in (summary["kind"], summary.get("format"))
+FORMATS = {
+    "cornell/cayman.brdf": "cornell",
+    "curet": "container",
+    "mbsdf/carpaint_blue.mbsdf": "mbsdf",
+    "rgl/vch_silk_blue_rgb.bsdf": "rgl",
+    "merl-slices/pink-felt-1d.alta": "merl-slice",
+    "staf-tvBTF45": "staf",
+}
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_info_knows_the_formats(shared: Callable[[str], Path], capsys: pytest.CaptureFixture[str], name: str) -> None:
+    status = main(["info", str(shared(f"data/{name}")), "--json"])
+    written = capsys.readouterr()
+    assert (status, written.err) == (0, "")
+    summary = json.loads(written.out)
+    assert FORMATS[name] in (summary["kind"], summary.get("format"))
 
 
 def test_parameter_maps_are_not_fitted(tmp_path: Path, shared: Callable[[str], Path]) -> None:
