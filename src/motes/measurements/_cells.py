@@ -132,7 +132,11 @@ def of_sheet(sheet: Sequence[Sequence[str | float | None]], where: str, known: K
     for at, row in enumerate(texts[:HEADER_LINES]):
         if _names(row, known):
             header = [re.sub(r"\.0$", "", c) for c in row]
-            body = [(at + 2 + k, r) for k, r in enumerate(texts[at + 1 :]) if any(r) and not _comment(r[0])]
+            body = [
+                (at + 2 + k, r + [""] * (len(header) - len(r)))
+                for k, r in enumerate(texts[at + 1 :])
+                if any(r) and not _comment(r[0])
+            ]
             notes = [f"{at} row{'s' if at > 1 else ''} before the header passed over"] if at else []
             return _squared(Cells(header, [r for _, r in body], [n for n, _ in body], notes), where)
     raise FormatError(
@@ -256,7 +260,9 @@ def _squared(table: Cells, where: str) -> Cells:
         header = header[:-1]
     n = len(header)
     rows = [r[: _end(r, n)] for r in rows]
-    if rows and all(len(r) == n + 1 for r in rows):  # R's write.table: names of rows without a name of their column
+    if (
+        rows and all(len(r) == n + 1 for r in rows) and _are_row_names([r[0] for r in rows])
+    ):  # R's write.table: names of rows without a name of their column
         header, n = ["", *header], n + 1
     repeated = [k for k, r in enumerate(rows) if r == header]
     if repeated:
@@ -285,6 +291,13 @@ def _squared(table: Cells, where: str) -> Cells:
                 else "Each row has a cell for each column, empty where nothing was measured",
             )
     return Cells(header, rows, table.lines, table.notes, units)
+
+
+def _are_row_names(cells: Sequence[str]) -> bool:
+    """Whether the first cells of the rows number them from 0 or 1 on, or are words."""
+    if all(c.isascii() and c.isdigit() and len(c) < 10 for c in cells):
+        return [int(c) - int(cells[0]) for c in cells] == list(range(len(cells))) and int(cells[0]) in (0, 1)
+    return not any(_NUMBER.fullmatch(c) for c in cells)
 
 
 def _end(row: Sequence[str], n: int) -> int:

@@ -23,7 +23,9 @@ TABLES: dict[str, Any] = json.loads(
     (resources.files("motes.measurements") / "columns.json").read_text(encoding="utf-8")
 )
 FACTORS: dict[str, float] = TABLES["factors"]
-WAVELENGTH = re.compile(r"(?:x|wl|w|wavelength|lambda|l)?[ _]*(\d+(?:\.\d*)?|\.\d+)[ _]*([a-zµμå]*)")
+WAVELENGTH = re.compile(
+    r"(?:x|wl|w|wavelength|lambda|l)?[ _]*((?:\d+(?:\.\d*)?|\.\d+)(?:e[-+]?\d{1,2})?)[ _]*([a-zµμå]*)"
+)
 _NAMED = re.compile(r"(.*?)\s*\[\s*(.+?)\s*\]|(.*?):\s*(.+?)")
 _GREEK = {"θ": "theta", "ϑ": "theta", "φ": "phi", "ϕ": "phi", "λ": "lambda", "σ": "sigma", "δ": "delta_"}
 _DIMENSION = {"angle": "angle", "time": "time", "wavelength": "length", "value": "brdf", "uncertainty": "brdf"}
