@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import codecs
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ import pytest
 
 from motes.errors import FormatError, MotesError
 from motes.measurements import Measurement, read
+from motes.measurements._column_names import column
 
 TABLES: list[dict[str, Any]] = json.loads(Path(__file__).with_name("tables.json").read_text(encoding="utf-8"))["tables"]
 HEADER = "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg,"
@@ -258,3 +260,44 @@ def test_a_long_table_with_times(tmp_path: Path) -> None:
     np.testing.assert_array_equal(data.values[:, order], expected)
     np.testing.assert_allclose(data.uncertainties[:, order], 0.01 * expected)
     assert data.times.tolist() == [0, 24, 48]
+
+
+# ---------------------------------------------------------------- docs/data.md
+
+PAGE = Path(__file__).parents[1] / "docs" / "data.md"
+SHARED_ANGLES = {("phi_r",): {"phi_r_deg": 180.0}, ("phi_r", "theta_r"): {"theta_r_deg": 8.0, "phi_r_deg": 180.0}}
+
+
+def test_the_tables_of_the_page_are_read(tmp_path: Path) -> None:
+    blocks = [
+        part.removeprefix("\n") for part in PAGE.read_text(encoding="utf-8").split("```")[1::2] if part[0] == "\n"
+    ]
+    tables = [b for b in blocks if not b.startswith("error")]
+    assert len(tables) >= 6
+    for text in tables:
+        path = written(tmp_path, text)
+        header = text.splitlines()[0]
+        absent = tuple(sorted(name for name in ("theta_r", "phi_r") if name not in header))
+        options = SHARED_ANGLES[absent] if absent else {}
+        assert measured(path, **options).mask.all()
+
+
+def test_the_error_of_the_page_is_printed_so(tmp_path: Path) -> None:
+    block = re.search(
+        r"^```\nerror: (scan\.csv: .*?)\nhint: (.*?)\n```", PAGE.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE
+    )
+    assert block
+    path = written(tmp_path, "theta_i_deg,theta_r_deg,phi_r_deg,intensity\n10,20,0,.1\n", "scan.csv")
+    with pytest.raises(FormatError) as caught:
+        read(path)
+    assert caught.value.message.replace(f"{tmp_path}/", "") == block[1]
+    assert caught.value.hint == block[2]
+
+
+def test_the_names_of_the_page_are_known() -> None:
+    rows = re.search(r"\| role \|.*?\n\n", PAGE.read_text(encoding="utf-8"), re.DOTALL)
+    assert rows
+    names = [n for line in rows[0].strip().splitlines()[2:] for n in re.findall(r"`([^`]+)`", line.split("|")[2])]
+    assert len(names) > 70
+    for name in names:
+        assert column(name if name != "t" else "t (h)") is not None, name
