@@ -431,7 +431,15 @@ def test_info_of_a_measurement(motes: Run, rock: Path) -> None:
     status, out, err = motes("info", rock)
     assert (status, err) == (0, "")
     size = "160 directions x 3 channels x 3 times"
-    for words in ("tvbrdf", "2007", size, "0, 1, 2 h", "R, G, B", "2.0 to 78.0 degrees", "1440 of 1440 samples"):
+    for words in (
+        "tvbrdf",
+        "simulated by Motes",
+        size,
+        "0, 1, 2 h",
+        "R, G, B",
+        "2.0 to 78.0 degrees",
+        "1440 of 1440 samples",
+    ):
         assert words in out
     status, out, _ = motes("info", rock, "--json")
     data = read(rock)

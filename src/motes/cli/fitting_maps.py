@@ -33,7 +33,8 @@ def fit_map(
     from motes.cli import console, paths
     from motes.cli.printed_maps import show_fitted
     from motes.errors import MotesError
-    from motes.maps import export_exr, fit_map, open_map
+    from motes.maps import export_exr, fit_map
+    from motes.maps.fitted import open_fitted
     from motes.maps.stack import open_stack
 
     if refused:
@@ -47,8 +48,8 @@ def fit_map(
             "chunks of 64 x 64 texels with all times, directions and channels are quickest"
         )
     with console.texel_progress(common, "texels") as step:
-        fitted = fit_map(stack, out=out, progress=step, **options)
-    fitted = open_map(out)  # type: ignore[assignment]
+        fit_map(stack, out=out, progress=step, **options)
+    fitted = open_fitted(out)
     written: list[Row] = [("written", str(out))]
     if report:
         with console.progress(common, "drawing"):

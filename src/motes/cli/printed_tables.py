@@ -134,8 +134,8 @@ def trend_table(fit: TimeFit, truth: dict[str, Any] | None = None) -> Table:
 def coefficient_table(fit: TimeFit, truth: dict[str, Any]) -> Table:
     """The times among the coefficients (time constants, middles, widths), beside the true ones where the kind is right."""
     table = _table()
-    for heading, justify in (("coefficient", "left"), ("fitted", "right"), ("unit", "left"), ("true", "right")):
-        table.add_column(heading, justify=justify)  # type: ignore[arg-type]
+    for heading in ("coefficient", "fitted", "unit", "true"):
+        table.add_column(heading, justify="right" if heading in ("fitted", "true") else "left")
     from motes.fitting.tables import with_error
     from motes.trends import KINDS
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
@@ -93,7 +94,7 @@ def export_exr(
         "Roughness": (lambda w: value(gloss.width.name, w)) if gloss else zeros,
     }
     for name in layout.others:
-        maps[name] = lambda w, name=name: value(name, w)  # type: ignore[misc]
+        maps[name] = partial(value, name)
     target = Path(folder)
     written = []
     for k, (name, of) in enumerate(maps.items()):
