@@ -26,7 +26,7 @@ settings.load_profile("motes")
 
 
 #: Bytes of kernels beyond which the folder of `kernels` is emptied: those of past versions of the code are of no use.
-ENOUGH = 1_000_000_000
+ENOUGH = 300_000_000
 
 
 def pytest_sessionstart(session: pytest.Session) -> None:
