@@ -20,17 +20,18 @@ from motes.models import BRDF, Sum, registered
 from shader_support import MODELS
 
 PAINT = age(Material(MODELS["plaster_and_coat"], name="Wet paint", channels=("R", "G", "B")), "drying_paint", hours=6)
-MODELLED = [to for to in TARGETS if to not in ("merl", "csv")]
+MODELLED = [to for to in TARGETS if to not in ("merl", "csv", "openmaterial")]
+RGB = [to for to in TARGETS if to != "openmaterial"]  # which asks for wavelengths
 
 
-@pytest.mark.parametrize("to", TARGETS)
+@pytest.mark.parametrize("to", RGB)
 def test_a_material_that_changes_says_when(to: str, tmp_path: Path) -> None:
     done = export(PAINT, to, tmp_path / "out", hours=2.5)
     assert all(file.is_file() for file in done.files)
     assert done.files[0] == tmp_path / "out"
     assert any("this is how it is at 2.5 h" in note for note in done.notes)
     if to not in ("merl",):  # which has no room for words
-        text = " ".join(done.files[0].read_text(encoding="utf-8").replace("//", "").split())
+        text = " ".join(done.files[0].read_text(encoding="utf-8", errors="replace").replace("//", "").split())
         assert "(0 to 6 h); this is how it is at 2.5 h" in text
 
 
@@ -91,7 +92,7 @@ def test_nothing_half_written(to: str, tmp_path: Path) -> None:
     assert [p.name for p in tmp_path.iterdir()] == ["file"]
 
 
-@pytest.mark.parametrize("to", TARGETS)
+@pytest.mark.parametrize("to", RGB)
 def test_the_same_twice(to: str, tmp_path: Path) -> None:
     """Files depend on the material alone."""
     first, second = (export(MODELS["grey"], to, tmp_path / n / "x").files for n in "ab")

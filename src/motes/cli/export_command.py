@@ -2,14 +2,35 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
 
-from motes.cli.options import Common
+from motes.cli.options import Common, Reading
+
+if TYPE_CHECKING:
+    from motes.material import Material
+    from motes.measurements import Measurement
 
 # The keys of motes.exports.TARGETS, which --help must not load; a test compares.
-To = Literal["glsl", "wgsl", "hlsl", "osl", "c", "materialx", "mitsuba", "three", "merl", "csv"]
+To = Literal[
+    "glsl",
+    "wgsl",
+    "hlsl",
+    "osl",
+    "c",
+    "materialx",
+    "mitsuba",
+    "three",
+    "merl",
+    "csv",
+    "bird",
+    "openmaterial",
+    "rgl",
+    "klems",
+    "tensortree",
+    "zemax",
+]
 
 
 def export(
@@ -21,6 +42,8 @@ def export(
     hours: Annotated[str | None, Parameter()] = None,
     glsl_version: Literal["300 es", "450"] | None = None,
     scalar: Literal["double", "float"] | None = None,
+    basis: Literal["full", "half", "quarter"] | None = None,
+    reading: Reading = Reading(),  # noqa: B008 (an immutable value)
     common: Common = Common(),  # noqa: B008 (an immutable value)
 ) -> int:
     """Write a material for another program: a shader, a document, a table.
@@ -30,7 +53,8 @@ def export(
     Parameters
     ----------
     material
-        A material.json, or the folder that motes fit wrote.
+        A material.json, or the folder that motes fit wrote; measured data, too, for bird and openmaterial, which write the
+        samples as they are.
     to
         The program or language.
     output
@@ -41,21 +65,44 @@ def export(
         Of GLSL: "300 es" (WebGL 2, the default) or 450.
     scalar
         Of C: double (the default) or float.
+    basis
+        Of klems: full (145 patches, the default), half (77) or quarter (41).
     """
-    from motes.cli import console, paths
+    from motes.cli import console
     from motes.exports import TARGETS
     from motes.exports import export as write
+    from motes.measurements import Measurement
 
-    options = {name: value for name, value in (("version", glsl_version), ("scalar", scalar)) if value is not None}
-    source = paths.material_of(material)
+    given = (("version", glsl_version), ("scalar", scalar), ("basis", basis))
+    options = {name: value for name, value in given if value is not None}
+    source = _source(material, to, reading)
     done = write(source, to, output, hours=_hours(hours), **options)
     if common.json:
         console.print_json({"to": to, "files": [str(file) for file in done.files], "notes": list(done.notes)})
     elif not common.quiet:
-        rows = [("material", source.name), ("target", TARGETS[to].title)]
+        rows = [
+            ("measurement" if isinstance(source, Measurement) else "material", source.name),
+            ("target", TARGETS[to].title),
+        ]
         rows += [("note", note) for note in done.notes]
         console.print_facts([*rows, *(("written", str(file)) for file in done.files)])
     return 0
+
+
+def _source(path: str, to: str, reading: Reading) -> Material | Measurement:
+    """The material at a path, or for targets that hold measured samples the data there."""
+    from motes.cli import paths
+    from motes.errors import DataError
+    from motes.exports import TARGETS
+    from motes.measurements import Measurement, read
+
+    given = paths.existing(path)
+    if not TARGETS[to].measured or paths.material_at(given):
+        return paths.material_of(path)
+    found = read(given, **reading.options())
+    if not isinstance(found, Measurement):
+        raise DataError(f"{path} holds maps of parameters, not measured samples", "They are no table of directions")
+    return found
 
 
 def _hours(text: str | None) -> list[float] | None:

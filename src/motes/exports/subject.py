@@ -46,9 +46,7 @@ class Subject:
     @property
     def identifier(self) -> str:
         """The name as one that all languages accept: lower-case letters, digits and single underscores."""
-        plain = unicodedata.normalize("NFKD", self.name).encode("ascii", "ignore").decode()
-        words = re.sub(r"[^a-z0-9]+", "_", plain.lower()).strip("_")[:LONGEST_NAME].strip("_")
-        return words if words[:1].isalpha() else f"material_{words}".strip("_")
+        return identifier(self.name)
 
     @property
     def title(self) -> str:
@@ -68,6 +66,13 @@ class Subject:
                 f"{self.name} has {self.brdf.channels} channels, and {target} holds one or three",
                 "glsl, wgsl, hlsl, osl, c and csv take any number",
             )
+
+
+def identifier(name: str) -> str:
+    """A name as one that all languages accept: lower-case letters, digits and single underscores."""
+    plain = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode()
+    words = re.sub(r"[^a-z0-9]+", "_", plain.lower()).strip("_")[:LONGEST_NAME].strip("_")
+    return words if words[:1].isalpha() else f"material_{words}".strip("_")
 
 
 def subject(material: Any, hours: float | None = None) -> Subject:

@@ -12,8 +12,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from motes.errors import ParameterError
-from motes.exports.subject import Subject, subject
+from motes.exports.subject import Subject, identifier, subject
 from motes.files import write_text
+from motes.measurements.measurement import Measurement
 
 #: Moments of a table of a material that follows time, where none are asked for.
 MOMENTS = 11
@@ -36,6 +37,8 @@ class Target:
         What `export` accepts besides.
     over_time
         Whether one file holds a material at several moments.
+    measured
+        Whether it holds a `Measurement` as it is, too.
     """
 
     title: str
@@ -43,6 +46,7 @@ class Target:
     module: str
     options: tuple[str, ...] = ()
     over_time: bool = False
+    measured: bool = False
 
 
 TARGETS: dict[str, Target] = {
@@ -56,6 +60,16 @@ TARGETS: dict[str, Target] = {
     "three": Target("three.js: a module with a ShaderMaterial", ".js", "three"),
     "merl": Target("MERL: a table of half and difference angles", ".binary", "merl_table"),
     "csv": Target("CSV: a table of angles, times and channels", ".csv", "csv_table", over_time=True),
+    "bird": Target(
+        "BiRD JSON: values with uncertainties and provenance", ".json", "bird_json", over_time=True, measured=True
+    ),
+    "openmaterial": Target(
+        "ASAM OpenMATERIAL: a table of wavelengths and angles", ".xompt", "openmaterial_table", measured=True
+    ),
+    "rgl": Target("RGL tensor file: a measured material for Mitsuba and others", ".bsdf", "rgl_tensors"),
+    "klems": Target("WINDOW and Radiance: a Klems matrix in XML", ".xml", "klems", ("basis",)),
+    "tensortree": Target("Radiance: a tensor tree in XML", ".xml", "tensor_tree"),
+    "zemax": Target("Zemax: a tabular BSDF about the mirror direction", ".bsdf", "zemax_table"),
 }
 SHADERS = ("glsl", "wgsl", "hlsl", "osl", "c")
 
@@ -88,7 +102,7 @@ def export(
     Parameters
     ----------
     material
-        A `Material` or a BRDF.
+        A `Material` or a BRDF; for ``"bird"`` and ``"openmaterial"`` also a `Measurement`, whose samples are written as they are.
     to
         A key of `TARGETS`: ``"glsl"``, ``"materialx"``, ``"merl"`` ...
     path
@@ -97,7 +111,8 @@ def export(
         The moment [h] of a material that follows time, its first one by default.  A table (``"csv"``) takes several; by default it has
         eleven over the time that was observed.
     **options
-        ``version`` of GLSL (``"300 es"``, ``"450"``), ``scalar`` of C (``"double"``, ``"float"``).
+        ``version`` of GLSL (``"300 es"``, ``"450"``), ``scalar`` of C (``"double"``, ``"float"``), ``basis`` of klems (``"full"``,
+        ``"half"``, ``"quarter"``).
 
     Raises
     ------
@@ -125,6 +140,8 @@ def export(
             f"{to} has no option {unknown[0]!r}",
             f"It has {', '.join(target.options)}" if target.options else "It has none",
         )
+    if isinstance(material, Measurement):
+        return _export_measurement(material, to, path, hours)
     moments = _moments(material, target, hours)
     first = moments[0][1]
     file = Path(path) if path is not None else Path(f"{first.identifier}{target.suffix}")
@@ -140,8 +157,29 @@ def export(
         files = module.write(moments, file)
     else:
         said += module.limits(first)
-        files = module.write(first, file)
+        files = module.write(first, file, **options)
     return Exported(tuple(files), tuple(said))
+
+
+def _export_measurement(
+    data: Measurement, to: str, path: str | os.PathLike[str] | None, hours: float | Sequence[float] | None
+) -> Exported:
+    """Write measured samples as they are."""
+    target = TARGETS[to]
+    if not target.measured:
+        able = ", ".join(name for name, other in TARGETS.items() if other.measured)
+        raise ParameterError(
+            f"{to} takes a material, and {data.name} is measured data", f"Fit it first; {able} take data"
+        )
+    if hours is not None:
+        raise ParameterError("hours choose the moment of a material, and these are measured data", "Leave hours out")
+    file = Path(path) if path is not None else Path(f"{identifier(data.name)}{target.suffix}")
+    if file.is_dir():
+        raise ParameterError(
+            f"{file} is a folder", f"Name a file, such as {file / (identifier(data.name) + target.suffix)}"
+        )
+    module = importlib.import_module(f"motes.exports.{target.module}")
+    return Exported((file,), tuple(module.write_measurement(data, file)))
 
 
 def _moments(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 from uuid import NAMESPACE_URL, uuid5
@@ -19,6 +18,7 @@ from motes.measurements.measurement import Measurement
 
 SCHEMA = "https://raw.githubusercontent.com/BiRD-project/BiRD_view/master/BRDF_JSON_schema/brdf_json_schema_v1.0.json"
 UNKNOWN = "not stated"
+NO_TIME = "1970-01-01T00:00:00+00:00"  # the schema asks for one
 DIGITS = 9
 LARGEST_THETA = 90.0  # the schema wants less than that
 STATES = ("s", "p", "u")
@@ -144,11 +144,13 @@ def _metadata(m: Measurement, method: str) -> dict[str, Any]:
     comments = [f"Written by Motes {__version__}.", f"Source: {source}.", *(f"{note}." for note in p.get("notes", ()))]
     if m.common_uncertainty is not None:
         comments.append(f"All values share a relative standard uncertainty of scale of {m.common_uncertainty:.4g}.")
+    if not p.get("timestamp"):
+        comments.append("The time is not known, and the timestamp stands for that.")
     made: dict[str, Any] = {
         "schema": SCHEMA,
         "id": f"urn:uuid:{uuid5(NAMESPACE_URL, f'motes:{m.name}:{source}')}",
         "type": "BRDF",
-        "timestamp": str(p.get("timestamp") or datetime.now(UTC).isoformat(timespec="seconds")),
+        "timestamp": str(p.get("timestamp") or NO_TIME),
         "provenance": {
             "organization": str(p.get("organization") or UNKNOWN),
             "location": dict.fromkeys(("country", "city", "street", "building_nr", "postal_code"), UNKNOWN),

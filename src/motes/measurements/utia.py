@@ -61,9 +61,10 @@ def read_utia(path: Path, *, isotropic: bool = True, encoding: str = "linear", s
     if not (np.isfinite(scale) and scale > 0):
         raise MotesError(f"scale = {scale!r} is not above 0", "It multiplies the values")
     values = _table(path)  # theta_i, phi_i, theta_v, phi_v, channel
-    if encoding == "srgb":
-        values = np.where(values > 0.04045, ((np.maximum(values, 0) + 0.055) / 1.055) ** 2.4, values / 12.92)
-    values = values * scale
+    with np.errstate(over="ignore", invalid="ignore"):  # damaged values stay what they are and are masked
+        if encoding == "srgb":
+            values = np.where(values > 0.04045, ((np.maximum(values, 0) + 0.055) / 1.055) ** 2.4, values / 12.92)
+        values = values * scale
     notes = [
         f"f_r in 1/sr: the values taken as {encoding}, times {scale:g}; their scale and transfer curve are not documented"
     ]
@@ -73,11 +74,11 @@ def read_utia(path: Path, *, isotropic: bool = True, encoding: str = "linear", s
     extra = {}
     if isotropic:
         turned = np.stack([np.roll(values[:, k], -k, axis=2) for k in range(N_PHI)], axis=1)  # phi_v - phi_i
-        values, spread = turned.mean(axis=1), turned.std(axis=1)
-        with np.errstate(invalid="ignore", divide="ignore"):
-            anisotropy = (
-                float(np.nanmedian(np.where(values > 0, spread / values, np.nan))) if np.any(values > 0) else 0.0
-            )
+        with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+            values, spread = turned.mean(axis=1), turned.std(axis=1)
+            ratio = (spread / values)[values > 0]
+        ratio = ratio[np.isfinite(ratio)]
+        anisotropy = float(np.median(ratio)) if ratio.size else 0.0
         extra = {"anisotropy": anisotropy}
         notes.append(
             f"The mean over {N_PHI} rotations of the sample, about which the values scatter by {anisotropy:.1%} in the median: "

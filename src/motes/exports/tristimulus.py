@@ -1,0 +1,51 @@
+"""Materials as the formats of lighting hold them: one visible response, or CIE X, Y and Z."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from motes.drawing.colour import channels_to_srgb
+from motes.errors import DataError
+from motes.exports.subject import Subject
+
+Array = NDArray[np.float64]
+
+# Linear sRGB to XYZ (IEC 61966-2-1), each row divided by its sum: a neutral surface has X = Y = Z, as Radiance has it.
+_SRGB = np.array([[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]])
+SRGB_TO_XYZ = _SRGB / _SRGB.sum(axis=1, keepdims=True)
+
+
+def limits(subject: Subject) -> list[str]:
+    """What became of the colours."""
+    if subject.brdf.channels == 1:
+        return []
+    return ["The colours became CIE XYZ under equal-energy light, from linear sRGB."]
+
+
+def evaluator(subject: Subject) -> tuple[tuple[str, ...], Callable[[Array, Array], Array]]:
+    """The names Y, or X, Y, Z, and the function that gives them (n, names) at directions [1/sr].
+
+    Raises
+    ------
+    DataError
+        When the channels are neither one nor three nor a spectrum of the visible.
+    """
+    n, nm = subject.brdf.channels, subject.wavelengths
+    if n == 1:
+        return ("Y",), lambda wi, wo: np.asarray(subject.brdf.eval(wi, wo), np.float64)
+    if n != 3 and not (nm and min(nm) <= 480 and max(nm) >= 620):
+        raise DataError(
+            f"{subject.name} has {n} channels that are neither RGB nor a spectrum of the visible, and the format holds the "
+            "visible or X, Y and Z",
+            "csv and bird take any number of channels",
+        )
+    matrix = channels_to_srgb(subject.channels, nm or None).matrix @ SRGB_TO_XYZ.T
+
+    def xyz(wi: Array, wo: Array) -> Array:
+        values: Array = np.maximum(np.asarray(subject.brdf.eval(wi, wo), np.float64) @ matrix, 0.0)
+        return values
+
+    return ("X", "Y", "Z"), xyz
