@@ -59,7 +59,8 @@ def read_merl(path: Path) -> Measurement:
     )
     planes = reading.binary(path, "<f8", 3 * n, 12, "the table").reshape(3, n)
     wi, wo, weights, above = half_difference_grid(*shape)
-    values = (planes[:, above].T * SCALE)[None]
+    with np.errstate(invalid="ignore"):  # a signalling NaN in a damaged file is a NaN, not a warning
+        values = (planes[:, above].T * SCALE)[None]
     below = int(n - len(wi))
     with np.errstate(invalid="ignore"):
         negative = values < 0
