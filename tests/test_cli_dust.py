@@ -21,7 +21,7 @@ if (
 
 from motes import Lambert, Material
 from motes.ageing import age
-from motes.meshes.mesh import read_mesh
+from motes.meshes.meshfile import read_mesh
 from motes.meshes.ply import write
 from motes.meshes.shapes import plane, sphere
 from motes.rendering import load_mitsuba
@@ -85,6 +85,48 @@ def test_a_texture_is_written(motes: Run) -> None:
     assert picture.shape[:2] == (32, 32)
     assert picture.max() == pytest.approx(0.1, rel=0.02)
     assert picture.min() == 0
+
+
+def test_an_inside_out_mesh_is_said_and_turned(motes: Run) -> None:
+    """Dust that lands nowhere is no answer: the reason is said, with the option that mends it."""
+    ball = sphere(12)
+    rows = [f"v {x:.9g} {y:.9g} {z:.9g}" for x, y, z in ball.positions]
+    rows += [f"f {c + 1} {b + 1} {a + 1}" for a, b, c in ball.triangles]
+    Path("in.obj").write_text("\n".join(rows))
+    options = ("--days", 30, "--rays", 16, "--set", "noise=0")
+    status, out, err = motes("dust", "in.obj", *options)
+    assert status == 0
+    assert "the mesh is inside out: its faces point inwards" in out
+    assert err.startswith("warning: no dust landed anywhere: the mesh is inside out")
+    assert "--outwards" in err
+    status, out, err = motes("dust", "in.obj", *options, "--outwards")
+    assert (status, err) == (0, "")
+    assert f"{len(ball.triangles)} of {len(ball.triangles)} faces were turned" in out
+    assert read_mesh("in-dusty.ply").attributes["tau"].max() == pytest.approx(0.15, rel=0.02)
+
+
+def test_meshes_of_other_formats(motes: Run) -> None:
+    trimesh = pytest.importorskip("trimesh")
+    box = trimesh.creation.box((2, 2, 2))
+    for kind in ("stl", "glb"):
+        Path(f"a.{kind}").write_bytes(box.export(file_type=kind))
+        status, _, err = motes("dust", f"a.{kind}", "--days", 30, "--rays", 16, "--set", "noise=0")
+        assert (status, err) == (0, "")
+        assert read_mesh("a-dusty.ply").attributes["tau"].max() == pytest.approx(0.15, rel=0.02)
+
+
+def test_a_mesh_far_from_the_origin_keeps_its_digits(motes: Run) -> None:
+    write("far.ply", sphere(12).moved(shift=(500_000.25, 4_100_000.5, 300)))
+    write("near.ply", sphere(12))
+    for name in ("far", "near"):
+        assert motes("dust", f"{name}.ply", "--days", 30, "--rays", 16, "--set", "noise=0")[0] == 0
+    far, near = read_mesh("far-dusty.ply"), read_mesh("near-dusty.ply")
+    np.testing.assert_allclose(
+        far.positions - near.positions, [[500_000.25, 4_100_000.5, 300]] * len(near.positions), atol=1e-6
+    )
+    np.testing.assert_allclose(far.attributes["tau"], near.attributes["tau"], atol=1e-3)
+    seen = load_mitsuba().load_dict({"type": "ply", "filename": "far-dusty.ply"})  # which reads doubles
+    assert seen.bbox().max.y == pytest.approx(4_100_002.5)
 
 
 def test_what_was_mended_is_said(motes: Run) -> None:

@@ -13,7 +13,8 @@ from hypothesis import strategies as st
 
 from motes.errors import FormatError, MotesError
 from motes.meshes import ply as _ply
-from motes.meshes.mesh import Mesh, face_normals, read_mesh, turn_to_y, with_normals
+from motes.meshes.mesh import Mesh, face_normals, turn_to_y, with_normals
+from motes.meshes.meshfile import read_mesh
 from motes.meshes.shapes import SHAPES, bunny, plane, sphere, teapot
 from motes.meshes.subdivision import loop, refine
 
@@ -225,7 +226,10 @@ def test_no_ply_ends_in_anything_but_an_explanation(
     assert mesh.triangles.max() < len(mesh.positions)
 
 
-@pytest.mark.parametrize(("name", "words"), [("a.stl", "not a mesh by its name"), ("none.ply", "cannot be read")])
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [("a.fbx", "not a mesh by its name"), ("a.stl", "cannot be read"), ("none.ply", "cannot be read")],
+)
 def test_what_is_not_there_is_explained(tmp_path: Path, name: str, words: str) -> None:
     with pytest.raises(FormatError, match=words):
         read_mesh(tmp_path / name)

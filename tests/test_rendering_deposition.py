@@ -22,7 +22,8 @@ if (
 ):  # not importorskip: Dr.Jit chooses its LLVM when it is imported, and Motes must come first
     pytest.skip("mitsuba is not installed", allow_module_level=True)
 
-from motes.meshes.mesh import Mesh, read_mesh, with_normals
+from motes.meshes.mesh import Mesh, with_normals
+from motes.meshes.meshfile import read_mesh
 from motes.meshes.shapes import plane, sphere, teapot
 from motes.meshes.subdivision import refine
 from motes.rendering.baking import bake, write_texture

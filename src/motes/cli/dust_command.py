@@ -32,6 +32,7 @@ def dust(
     rubbed_by: str | None = None,
     shelter: Annotated[tuple[str, ...], Parameter(negative="")] = (),
     set: Annotated[tuple[str, ...], Parameter(negative="")] = (),
+    outwards: Annotated[bool, Parameter(negative="")] = False,
     refine: Whole = 0,
     texture_size: Whole = 1024,
     rays: Whole = 256,
@@ -47,7 +48,7 @@ def dust(
     Parameters
     ----------
     mesh
-        A PLY or OBJ file, or sphere, plane, bunny or teapot.
+        A PLY, OBJ, STL or glTF file, or sphere, plane, bunny or teapot.
     days
         Since the surface was clean.
     growth_per_day
@@ -70,6 +71,8 @@ def dust(
         A mesh that stands on this one or over it, in the same coordinates; repeat for more.
     set
         NAME=VALUE: adhesion, slipperiness, spread_deg, scour, noise or noise_scale; repeat for more.
+    outwards
+        Turn faces of the mesh so that neighbours agree and closed surfaces look outwards.
     refine
         Cut each triangle into four so many times first: the pattern cannot be finer than the vertices.
     texture_size
@@ -105,7 +108,7 @@ def dust(
     )
     if not 0 <= refine <= 8:
         raise MotesError(f"--refine {refine} is outside [0, 8]", "Each step makes four times the triangles")
-    shape = refined(mesh_of(mesh), refine)
+    shape = refined(mesh_of(mesh, outwards), refine)
     arguments: dict[str, Any] = {
         "up": vector(up, "--up"),
         "source": None if source is None else vector(source, "--source"),
@@ -131,7 +134,15 @@ def dust(
             tau = picture[baked.covered]
             write_texture(file, picture)
     _report(file, shape, tau, days, level, common)
+    if level > 0 and float(tau.max()) == 0:
+        console.warn(_nowhere(shape))
     return 0
+
+
+def _nowhere(shape: Mesh) -> str:
+    """Why no dust landed, as far as it can be told."""
+    inwards = next((note for note in shape.notes if "--outwards" in note), "")
+    return f"no dust landed anywhere: {inwards or 'no open face looks to where it comes from, or it was carried off; --up says where up is (y when not given)'}"
 
 
 def _report(file: Path, shape: Mesh, tau: NDArray[np.floating[Any]], days: float, level: float, common: Common) -> None:
@@ -166,13 +177,15 @@ def _report(file: Path, shape: Mesh, tau: NDArray[np.floating[Any]], days: float
         )
 
 
-def mesh_of(name: str) -> Mesh:
-    """A mesh from a file, or one of the shapes by its name."""
+def mesh_of(name: str, outwards: bool = False) -> Mesh:
+    """A mesh from a file, its faces turned outwards or left, or one of the shapes by its name."""
     from motes.cli.paths import existing
-    from motes.meshes.mesh import read_mesh
+    from motes.meshes.meshfile import read_mesh
     from motes.meshes.shapes import SHAPES
 
-    return SHAPES[name]() if name in SHAPES and not Path(name).exists() else read_mesh(existing(name))
+    if name in SHAPES and not Path(name).exists():
+        return SHAPES[name]()
+    return read_mesh(existing(name), outwards=outwards)
 
 
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}

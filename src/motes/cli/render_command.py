@@ -48,7 +48,7 @@ def render(
     output
         NAME.png, NAME.exr (radiance), NAME.gif or NAME.mp4.
     scene
-        sphere, bunny, teapot, grid (small spheres), a mesh (.ply, .obj), or a Mitsuba scene (.xml) with $material in it.
+        sphere, bunny, teapot, grid (small spheres), a mesh (.ply, .obj, .stl, .glb, .gltf), or a Mitsuba scene (.xml) with $material in it.
     env
         An environment map (EXR, HDR) in place of the studio's lights.
     time

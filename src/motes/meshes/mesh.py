@@ -1,26 +1,18 @@
-"""Triangle meshes: what reading, dust and pictures need to know of a shape, with NumPy alone.
-
-Files are PLY (ASCII, binary of either byte order) and OBJ.  What a file lacks or has wrong is mended where that is harmless, and said in `Mesh.notes`:
-normals are computed, triangles without an area are left out.  What would show in a picture as nonsense (positions that are not numbers, indices
-beyond the vertices) is an error.
-"""
+"""Triangle meshes: what reading, dust and pictures need to know of a shape, with NumPy alone."""
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from typing import Any, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from motes.errors import FormatError, MotesError
+from motes.errors import MotesError
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int32]
-SUFFIXES = (".ply", ".obj")
 CREASE_DEG = 50.0  # edges sharper than this stay sharp where a file has no normals
 
 
@@ -105,77 +97,7 @@ def unit(vector: ArrayLike, name: str) -> Floats:
     return v / length
 
 
-def read_mesh(path: str | os.PathLike[str]) -> Mesh:
-    """Read a PLY or OBJ file, checked and mended.
-
-    Raises
-    ------
-    FormatError
-        When the file is not there, is neither of the two, is damaged, or holds no triangle with an area.
-    """
-    from motes.meshes import obj as _obj
-    from motes.meshes import ply as _ply
-
-    file = Path(path)
-    suffix = file.suffix.lower()
-    if suffix not in SUFFIXES:
-        raise FormatError(
-            f"{file} is not a mesh by its name: {suffix or 'no suffix'}",
-            f"Meshes are {' and '.join(SUFFIXES)} files; Blender exports both",
-        )
-    try:
-        raw = (_ply if suffix == ".ply" else _obj).read(file)
-    except OSError as error:
-        raise FormatError(
-            f"{file} cannot be read: {error.strerror or error}", "Give the path of a PLY or OBJ file"
-        ) from error
-    return mended(raw)
-
-
-def mended(mesh: Mesh) -> Mesh:
-    """The mesh, checked: triangles without an area left out, normals that are missing or not numbers computed.
-
-    Raises
-    ------
-    FormatError
-        For positions that are not finite, indices beyond the vertices, or no triangle that has an area.
-    """
-    n = len(mesh.positions)
-    bad = ~np.isfinite(mesh.positions).all(axis=1)
-    if bad.any():
-        raise FormatError(
-            f"{mesh.name} has {int(bad.sum())} of {n} vertices whose position is not finite, the first is vertex {int(np.argmax(bad))}",
-            "Export it again; a modifier that divides by zero is a usual cause",
-        )
-    if mesh.triangles.size and (mesh.triangles.min() < 0 or mesh.triangles.max() >= n):
-        worst = mesh.triangles.max() if mesh.triangles.max() >= n else mesh.triangles.min()
-        raise FormatError(f"{mesh.name} has a face with vertex {int(worst)} of {n} vertices", "The file is damaged")
-    notes = list(mesh.notes)
-    area = np.linalg.norm(_cross_products(mesh), axis=1)
-    longest = float(np.ptp(mesh.positions, axis=0).max()) if n else 0.0
-    keep = area > 1e-14 * longest**2
-    if not keep.any():
-        raise FormatError(f"{mesh.name} has no triangle with an area", "Export the mesh with its faces")
-    if not keep.all():
-        notes.append(f"{int((~keep).sum())} of {len(keep)} triangles have no area and were left out")
-        mesh = replace(mesh, triangles=mesh.triangles[keep])
-    if mesh.uv is not None and not np.isfinite(mesh.uv).all():
-        notes.append("the texture coordinates are not all numbers and were left out")
-        mesh = replace(mesh, uv=None)
-    if mesh.normals is not None:
-        length = np.linalg.norm(mesh.normals, axis=1)
-        good = np.isfinite(length) & (length > 1e-6)
-        used = np.unique(mesh.triangles)
-        if good[used].all():
-            normals = np.where(good[:, None], mesh.normals / np.where(good, length, 1)[:, None], 0)
-            return replace(mesh, normals=np.nan_to_num(normals), notes=tuple(notes))
-        notes.append(f"{int((~good[used]).sum())} normals have no direction; all were computed anew")
-    else:
-        notes.append("the file has no normals; they were computed")
-    return with_normals(replace(mesh, normals=None, notes=tuple(notes)))
-
-
-def _cross_products(mesh: Mesh) -> Floats:
+def cross_products(mesh: Mesh) -> Floats:
     """The cross product of two edges of each triangle, (F, 3): its normal times twice its area."""
     a, b, c = (mesh.positions[mesh.triangles[:, k]] for k in range(3))
     return np.cross(b - a, c - a)
@@ -183,7 +105,7 @@ def _cross_products(mesh: Mesh) -> Floats:
 
 def face_normals(mesh: Mesh) -> Floats:
     """Unit normals (F, 3) of the triangles."""
-    cross = _cross_products(mesh)
+    cross = cross_products(mesh)
     return np.asarray(cross / np.maximum(np.linalg.norm(cross, axis=1, keepdims=True), 1e-300))
 
 

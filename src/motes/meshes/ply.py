@@ -25,6 +25,8 @@ TYPES = {
     **dict.fromkeys(("double", "float64"), "f8"),
 }
 HEADER = 65536
+#: Of the extent: rounding beyond which a file is said to be coarse, and beyond which positions are written as doubles.
+COARSE, FINE = 1e-4, 1e-6
 KNOWN = {"x", "y", "z", "nx", "ny", "nz"}
 UV = (("u", "v"), ("s", "t"), ("texture_u", "texture_v"))
 
@@ -81,6 +83,21 @@ def read(path: Path) -> Mesh:
         uv=together(*uv_names) if uv_names else None,
         attributes={name: np.asarray(vertex[name], np.float64) for name in vertex if name not in used},
         name=path.stem,
+        notes=_rounded(path, vertex),
+    )
+
+
+def _rounded(path: Path, vertex: dict[str, Any]) -> tuple[str, ...]:
+    """Coordinates far from the origin in single precision have lost their digits already where the file was written."""
+    if any(np.asarray(vertex[axis]).dtype.itemsize > 4 for axis in "xyz") or not len(vertex["x"]):
+        return ()
+    low, high = (np.array([f(vertex[axis]) for axis in "xyz"], np.float64) for f in (np.min, np.max))
+    far, extent = np.abs([low, high]).max(), np.linalg.norm(high - low)
+    if not np.isfinite(far) or np.spacing(np.float32(far)) < COARSE * extent:
+        return ()
+    return (
+        f"the file's coordinates reach {far:.6g} in single precision, which tells places apart only from {np.spacing(np.float32(far)):.2g} on "
+        f"(the mesh is {extent:.3g} large); export double precision, or move the mesh to the origin first",
     )
 
 
@@ -95,8 +112,13 @@ def _header(path: Path, text: str) -> tuple[str, list[Element]]:
                 case ["element", name, count] if int(count) >= 0:
                     elements.append(Element(name, int(count), {}))
                 case ["property", "list", counts, items, name]:
+                    whole = TYPES[counts][0] != "f" and (name not in _FACE_LISTS or TYPES[items][0] != "f")
+                    if not whole or name in elements[-1].properties:
+                        raise ValueError
                     elements[-1].properties[name] = (TYPES[counts], TYPES[items])
                 case ["property", type_, name]:
+                    if name in elements[-1].properties:
+                        raise ValueError
                     elements[-1].properties[name] = TYPES[type_]
                 case [] | ["comment", *_] | ["obj_info", *_]:
                     pass
@@ -140,8 +162,7 @@ def _in_int32(path: Path, triangles: NDArray[Any]) -> NDArray[np.int32]:
 
 
 def _ascii(path: Path, body: bytes, elements: list[Element], _: str) -> dict[str, dict[str, Any]]:
-    lines = body.decode("ascii", "replace").splitlines()
-    lines = [line for line in lines if line.strip()]
+    lines = [line for line in body.decode("ascii", "replace").splitlines() if line.strip()]
     rows: dict[str, dict[str, Any]] = {}
     at = 0
     for element in elements:
@@ -151,15 +172,26 @@ def _ascii(path: Path, body: bytes, elements: list[Element], _: str) -> dict[str
             if len(own) < element.n:
                 raise ValueError
             if not lists:
-                table = np.array([line.split() for line in own], np.float64).reshape(len(own), -1)
-                table = table if len(own) else np.zeros((0, len(element.properties)))
+                table = np.loadtxt(own, comments=None, ndmin=2) if own else np.zeros((0, len(element.properties)))
                 columns = zip(element.properties, table.T, strict=True)
                 rows[element.name] = dict(columns)
             elif element.name == "face":
-                rows["face"] = {"triangles": _as_triangles(path, [_ascii_polygon(element, line) for line in own])}
-        except (ValueError, IndexError):
+                rows["face"] = {"triangles": _ascii_faces(path, element, own)}
+        except (ValueError, IndexError, OverflowError):
             raise _damaged(path, f"{element.name}s") from None
     return rows
+
+
+def _ascii_faces(path: Path, element: Element, lines: list[str]) -> NDArray[np.int32]:
+    """Nearly all files have triangles alone, and nothing else in a face: read at once."""
+    if len(element.properties) == 1 and next(iter(element.properties)) in _FACE_LISTS and lines:
+        try:
+            table = np.loadtxt(lines, np.int64, comments=None, ndmin=2)
+        except ValueError:  # polygons of several sizes, or a mistake
+            table = np.zeros((0, 0), np.int64)
+        if table.shape == (len(lines), 4) and (table[:, 0] == 3).all():
+            return _in_int32(path, table[:, 1:])
+    return _as_triangles(path, [_ascii_polygon(element, line) for line in lines])
 
 
 def _ascii_polygon(element: Element, line: str) -> NDArray[np.int64]:
@@ -235,7 +267,9 @@ def _binary_lists(path: Path, body: bytes, element: Element, order: str, at: int
 
 
 def write(path: str | os.PathLike[str], mesh: Mesh, comments: tuple[str, ...] = ()) -> Path:
-    """Write a mesh as binary little-endian PLY, float32, whole or not at all.
+    """Write a mesh as binary little-endian PLY, whole or not at all.
+
+    Numbers are float32; positions are doubles where float32 would lose digits that matter, far from the origin.
 
     Texture coordinates are called u and v, as Mitsuba and Blender read them; attributes keep their names.
 
@@ -250,7 +284,10 @@ def write(path: str | os.PathLike[str], mesh: Mesh, comments: tuple[str, ...] = 
     if mesh.uv is not None:
         columns.update(zip("uv", mesh.uv.T, strict=True))
     columns.update({re.sub(r"\W", "_", name, flags=re.ASCII): v for name, v in mesh.attributes.items()})
-    table = np.zeros(len(mesh.positions), [(name, "<f4") for name in columns])
+    far = np.abs(mesh.positions).max(initial=0.0)
+    double = far > 0 and 2.0**-24 * far > FINE * np.linalg.norm(np.ptp(mesh.positions, axis=0))
+    wide = set("xyz") if double else set()
+    table = np.zeros(len(mesh.positions), [(name, "<f8" if name in wide else "<f4") for name in columns])
     for name, values in columns.items():
         table[name] = values
     faces = np.zeros(len(mesh.triangles), [("n", "u1"), ("corners", "<i4", 3)])
@@ -260,7 +297,7 @@ def write(path: str | os.PathLike[str], mesh: Mesh, comments: tuple[str, ...] = 
         "format binary_little_endian 1.0",
         *(f"comment {c.encode('ascii', 'replace').decode()}" for text in comments for c in text.splitlines()),
         f"element vertex {len(table)}",
-        *(f"property float {name}" for name in columns),
+        *(f"property {'double' if name in wide else 'float'} {name}" for name in columns),
         f"element face {len(faces)}",
         "property list uchar int vertex_indices",
         "end_header\n",

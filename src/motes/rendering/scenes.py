@@ -17,7 +17,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from motes.errors import FormatError, MotesError
-from motes.meshes.mesh import SUFFIXES, Mesh, read_mesh, with_normals
+from motes.meshes.mesh import Mesh, with_normals
+from motes.meshes.meshfile import SUFFIXES, read_mesh
 from motes.meshes.shapes import SHAPES
 from motes.rendering.rays import mitsuba_mesh
 
@@ -36,7 +37,7 @@ class Subject(NamedTuple):
 
 
 def subject(scene: str, up: ArrayLike = (0.0, 1.0, 0.0)) -> Subject:
-    """The object of a preview by name, or from a PLY or OBJ file whose up direction is `up`, scaled to the stage.
+    """The object of a preview by name, or from a file (PLY, OBJ, STL, glTF) whose up direction is `up`, scaled to the stage.
 
     Raises
     ------
@@ -52,11 +53,11 @@ def subject(scene: str, up: ArrayLike = (0.0, 1.0, 0.0)) -> Subject:
     path = Path(scene)
     if path.suffix.lower() in SUFFIXES:
         if not path.is_file():
-            raise FormatError(f"{path} does not exist", _suggestion(scene) or "Give the path of a PLY or OBJ file")
+            raise FormatError(f"{path} does not exist", _suggestion(scene) or "Give the path of a mesh")
         return Subject(on_stage(read_mesh(path), up), path.stem)
     raise MotesError(
         f"{scene[:80]!r} is not a scene",
-        _suggestion(scene) or f"Choose {', '.join(NAMES)}, a mesh (.ply, .obj) or a Mitsuba scene (.xml)",
+        _suggestion(scene) or f"Choose {', '.join(NAMES)}, a mesh ({', '.join(SUFFIXES)}) or a Mitsuba scene (.xml)",
     )
 
 
