@@ -129,8 +129,8 @@ def test_conversions(model: BRDF, albedo: Any) -> None:
     np.testing.assert_allclose(total, np.broadcast_to(albedo, model.channels), rtol=1e-4)
 
 
-def computed(graph: ElementTree.Element, values: dict[str, Any]) -> list[tuple[Any, Any]]:
-    """What the lobes of a node graph get for reflectance at normal and grazing incidence, its nodes being computed here."""
+def computed(graph: ElementTree.Element, values: dict[str, Any]) -> list[tuple[Any, Any, Any]]:
+    """What the lobes of a node graph get: reflectance at normal and grazing incidence, roughness; its nodes being computed here."""
     nodes: dict[str, Any] = {}
     found = []
     for node in graph:
@@ -150,13 +150,13 @@ def computed(graph: ElementTree.Element, values: dict[str, Any]) -> list[tuple[A
         elif node.tag == "convert":
             nodes[node.get("name")] = np.broadcast_to(given["in"], 3)
         elif node.tag == "combine2":
-            nodes[node.get("name")] = np.array([given["in1"], given["in2"]])
+            nodes[node.get("name")] = np.array([float(np.ravel(given[k])[0]) for k in ("in1", "in2")])
         elif node.get("type") == "BSDF":
             nodes[node.get("name")] = None
         if node.tag == "oren_nayar_diffuse_bsdf":
-            found.append((given["color"], given["color"]))
+            found.append((given["color"], given["color"], given["roughness"]))
         elif node.tag == "generalized_schlick_bsdf":
-            found.append((given["color0"], given["color90"]))
+            found.append((given["color0"], given["color90"], given["roughness"]))
     return found
 
 
@@ -177,7 +177,9 @@ def test_three_ways_of_one_conversion(name: str, tmp_path: Path) -> None:
             exec(statement.split(maxsplit=1)[1].removesuffix(";"), scope)
     for lobe, nodes, text in zip(lobes(model), computed(graph, parameters), texts, strict=True):
         color, f0 = (eval(word, scope) for word in (text.grazing, text.normal))
-        for number, node, word in zip((lobe.normal, lobe.grazing), nodes, (color * f0, color), strict=True):
+        np.testing.assert_allclose(nodes[2], lobe.roughness, rtol=1e-12)
+        np.testing.assert_allclose(eval(text.roughness, scope), lobe.roughness, rtol=1e-12)
+        for number, node, word in zip((lobe.normal, lobe.grazing), nodes[:2], (color * f0, color), strict=True):
             np.testing.assert_allclose(np.broadcast_to(node, 3), np.broadcast_to(number, 3), rtol=1e-12)
             np.testing.assert_allclose(np.broadcast_to(word, 3), np.broadcast_to(number, 3), rtol=1e-12)
 
