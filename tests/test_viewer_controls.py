@@ -319,7 +319,7 @@ def test_bad_files_are_refused_with_a_sentence(chrome: Any, rock: Path) -> None:
         ("a.json", with_value("K_d", [0.1] * 31), "31 channels"),
         ("a.json", with_value("K_x", 1), "has no parameter K_x"),
         ("a.csv", "theta_i,phi_r,R\n1,2,3\n", "has no column theta_r"),
-        ("a.csv", "theta_i,theta_r,phi_r,R\n0.1,0.2,x,3\n", 'line 2: "x" is not a number'),
+        ("a.csv", "theta_i,theta_r,phi_r,R\n0.1,0.2,x,3\n", "line 2: 'x' is not a number"),
         ("a.csv", "theta_i,theta_r,phi_r,R\n0.1,0.2\n", "line 2 has 2 cells; the header has 4"),
         ("a.csv", "theta_i,theta_r,phi_r,R\n3,2,1,3\n", "has no usable row"),
         ("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "is not among 3 vertices"),

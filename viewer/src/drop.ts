@@ -1,5 +1,6 @@
 // Files that are dropped or opened: what each one is, by its name and its content.
 
+import { decoded } from './cells';
 import { button } from './controls';
 import { h } from './dom';
 import { fromCsv, type Measurement } from './measurement';
@@ -25,9 +26,9 @@ export async function open(file: File, taker: Taker, second = false): Promise<vo
     taker.openMesh(file.name, await file.arrayBuffer());
     return;
   }
-  if (!['.json', '.csv', '.txt', '.tsv'].includes(suffix)) throw new Problem(`${file.name} is neither a material, a table nor a mesh`, 'Drop a .json, .csv, .obj, .ply or .glb file');
+  if (!['.json', '.csv', '.txt', '.tsv', '.dat'].includes(suffix)) throw new Problem(`${file.name} is neither a material, a table nor a mesh`, 'Drop a .json, .csv, .obj, .ply or .glb file');
   if (file.size > LARGEST_TEXT) throw new Problem(`${file.name} has ${Math.round(file.size / 2 ** 20)} MiB, more than ${LARGEST_TEXT / 2 ** 20}`, 'motes view DATA thins any measurement');
-  const text = await file.text();
+  const text = decoded(await file.arrayBuffer());
   if (suffix === '.json') taker.openMaterial(parsed(file.name, text), second);
   else taker.openData(fromCsv(file.name, text));
 }
