@@ -12,7 +12,7 @@ import measurement_files as files
 from effort import units
 from motes.errors import DataError, FormatError, MotesError
 from motes.measurements import _timestamps, list_samples, policy, read
-from motes.measurements.tvbrdf import write_tvbrdf
+from motes.measurements.tvbrdf_writing import write_tvbrdf
 
 # The first record that the database documents, of sample01/tvBrdf-data/scan01_brdf_camera1_allexposures.txt
 DOCUMENTED = """Exposure 0.200000 4.000000 32.000000

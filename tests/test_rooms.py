@@ -30,7 +30,7 @@ def rooms() -> ModuleType:
 
 
 # Names that two rooms share, and rooms whose circles, are still to be mended.
-DOUBLE = {"plausibility", "scans"}
+DOUBLE = {"covariance", "klems", "plausibility", "tensor_tree"}
 ROUND = ("motes.fitting.",)
 
 

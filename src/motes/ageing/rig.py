@@ -165,7 +165,7 @@ def simulate(
     MotesError
         For numbers out of range, a surface with other than one or three channels, or a folder that cannot be written.
     """
-    from motes.measurements.tvbrdf import write_tvbrdf
+    from motes.measurements.tvbrdf_writing import write_tvbrdf
     from motes.version import __version__
 
     rig = rig or Rig()

@@ -34,7 +34,7 @@ from motes.images.transfer_functions import Transfer, asked
 from motes.maps import zarrs
 from motes.maps.lights import Row, rows_of, table_of
 from motes.maps.stack import MapStack, create_map, open_stack
-from motes.measurements import _scans
+from motes.measurements import _common_directions
 
 AT_ONCE = 2**20  # pixels that are made linear at once
 
@@ -90,7 +90,7 @@ def import_images(
     rows = rows_of(table_of(source, table), source)
     times = sorted({row.hours for row in rows})
     scans = [[row for row in rows if row.hours == t] for t in times]
-    union, places = _scans.union([np.array([[*r.wi, *r.wo] for r in scan]) for scan in scans])
+    union, places = _common_directions.union([np.array([[*r.wi, *r.wo] for r in scan]) for scan in scans])
     if linear and transfer not in (None, "linear"):
         raise MotesError(f"both linear and the transfer function {transfer!r} were given", "Give one of them")
     reader = _Reader(asked("linear") if linear else None if transfer is None else asked(transfer), layer)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes.errors import FormatError
-from motes.measurements import _cells, _roles, _scans
+from motes.measurements import _cells, _common_directions, _roles
 from motes.measurements import _column_names as names
 from motes.measurements._column_names import Column
 
@@ -225,7 +225,7 @@ def _long(
     for hour in np.unique(rows.hours):
         now = np.flatnonzero(rows.hours == hour)
         groups = [now[which[now] == c] for c in range(n)]
-        union, indices = _scans.union([rows.pairs[g] for g in groups])
+        union, indices = _common_directions.union([rows.pairs[g] for g in groups])
         short = next((c for c in range(n) if len(indices[c]) < len(union)), None)
         if short is not None:
             raise FormatError(

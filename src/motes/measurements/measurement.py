@@ -12,6 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 from motes import directions
 from motes.errors import DataError, MissingExtraError
 from motes.measurements import policy
+from motes.measurements._facts import counted, extent, plain, uncertainty_facts
+from motes.measurements._given import broadcast_mask, channel_names, deviations, numbers, samples, share, some
 
 
 @final
@@ -141,7 +143,7 @@ class Measurement:
         wi, wo = policy.unit_directions(wi, "wi"), policy.unit_directions(wo, "wo")
         if len(wi) != len(wo):
             raise DataError(f"wi has {len(wi)} rows and wo {len(wo)}", "Give one pair of directions a sample")
-        values = _samples(_numbers(values, "values"))
+        values = samples(numbers(values, "values"))
         if values.ndim != 3 or values.shape[1] != len(wi) or 0 in values.shape:
             raise DataError(
                 f"values has shape {values.shape}, which is not (T, N, C) for N = {len(wi)} directions",
@@ -150,35 +152,30 @@ class Measurement:
         n_times, n_directions, n_channels = values.shape
         if times is None:
             times, time_unit = np.arange(float(n_times)), time_unit if n_times == 1 else "scan"
-        times = _numbers(times, "times").reshape(-1)
+        times = numbers(times, "times").reshape(-1)
         if len(times) != n_times or not np.all(np.isfinite(times)) or np.any(np.diff(times) <= 0):
             raise DataError(
-                f"times has {len(times)} entries for {n_times} scans, or does not increase: {_some(times)}",
+                f"times has {len(times)} entries for {n_times} scans, or does not increase: {some(times)}",
                 "Give one time a scan, in order",
             )
         if wavelengths is not None:
-            wavelengths = _numbers(wavelengths, "wavelengths").reshape(-1)
+            wavelengths = numbers(wavelengths, "wavelengths").reshape(-1)
             if len(wavelengths) != n_channels or not np.all(np.isfinite(wavelengths) & (wavelengths > 0)):
                 raise DataError(
-                    f"wavelengths are {_some(wavelengths)} for {n_channels} channels",
+                    f"wavelengths are {some(wavelengths)} for {n_channels} channels",
                     "Give one positive number [nm] a channel",
                 )
         if weights is None:
             weights = np.ones(n_directions)
-        weights = _numbers(weights, "weights").reshape(-1)
+        weights = numbers(weights, "weights").reshape(-1)
         if len(weights) != n_directions or not np.all(np.isfinite(weights) & (weights >= 0)) or not np.any(weights > 0):
             raise DataError(
-                f"weights are {_some(weights)} for {n_directions} directions",
+                f"weights are {some(weights)} for {n_directions} directions",
                 "Give one number >= 0 a direction, at least one positive",
             )
-        spread = None if uncertainties is None else _uncertainties(uncertainties, values)
-        if common_uncertainty is not None and not 0 < common_uncertainty < 1:
-            raise DataError(
-                f"common_uncertainty = {common_uncertainty:g} is outside (0, 1)",
-                "It is relative: 0.02 is 2 % of the scale; leave it out where none is known",
-            )
-        channels = _channels(channels, wavelengths, n_channels)
-        codes, names = policy.judge(wi, wo, values, _broadcast(mask, values.shape), reasons, spread, channels)
+        spread = None if uncertainties is None else deviations(uncertainties, values)
+        channels = channel_names(channels, wavelengths, n_channels)
+        codes, names = policy.judge(wi, wo, values, broadcast_mask(mask, values.shape), reasons, spread, channels)
         return cls(
             wi=wi,
             wo=wo,
@@ -187,12 +184,12 @@ class Measurement:
             channels=channels,
             mask=codes == 0,
             weights=weights,
-            masked=_count(codes, names),
+            masked=counted(codes, names),
             provenance=dict(provenance or {}),
             time_unit=time_unit,
             wavelengths=wavelengths,
             uncertainties=spread,
-            common_uncertainty=None if common_uncertainty is None else float(common_uncertainty),
+            common_uncertainty=None if common_uncertainty is None else share(common_uncertainty),
             _codes=codes,
             _reasons=names,
         )
@@ -264,7 +261,7 @@ class Measurement:
             raise DataError("The selection holds no direction", "Select at least one")
         if indices.dtype.kind not in "iu" or indices.min() < -self.n_directions or indices.max() >= self.n_directions:
             raise DataError(
-                f"The selection {_some(indices)} is not among the directions",
+                f"The selection {some(indices)} is not among the directions",
                 f"Give integers from 0 to {self.n_directions - 1}",
             )
         return self._part(
@@ -299,14 +296,10 @@ class Measurement:
                 )
             absolute = relative * np.abs(self.values)
             uncertainties = np.where(absolute > 0, absolute, np.nan)
-        if common is not None and not 0 < common < 1:
-            raise DataError(
-                f"common uncertainty {common:g} is outside (0, 1)", "It is relative: 0.02 is 2 % of the scale"
-            )
         return replace(
             self,
-            uncertainties=self.uncertainties if uncertainties is None else _uncertainties(uncertainties, self.values),
-            common_uncertainty=self.common_uncertainty if common is None else float(common),
+            uncertainties=self.uncertainties if uncertainties is None else deviations(uncertainties, self.values),
+            common_uncertainty=self.common_uncertainty if common is None else share(common),
         )
 
     def with_mask(self, extra_mask: ArrayLike, reason: str) -> Self:
@@ -319,12 +312,12 @@ class Measurement:
         reason
             What `masked` shall say of those that it takes out.
         """
-        extra = _broadcast(extra_mask, self.values.shape)
+        extra = broadcast_mask(extra_mask, self.values.shape)
         assert extra is not None
         codes, names = self._known_codes()
         names = names if reason in names else (*names, reason)
         codes = np.where(self.mask & ~extra, np.uint8(names.index(reason) + 1), codes)
-        return replace(self, mask=self.mask & extra, masked=_count(codes, names), _codes=codes, _reasons=names)
+        return replace(self, mask=self.mask & extra, masked=counted(codes, names), _codes=codes, _reasons=names)
 
     def to_xarray(self) -> Any:
         """An `xarray.Dataset` with the dimensions time, direction, channel (and xyz for the vectors)."""
@@ -377,30 +370,17 @@ class Measurement:
             "wavelengths_nm": None if self.wavelengths is None else self.wavelengths.tolist(),
             "times": self.times.tolist(),
             "time_unit": self.time_unit,
-            "theta_i_deg": _range(np.degrees(self.theta_i)),
-            "theta_r_deg": _range(np.degrees(self.theta_r)),
-            "f_r": _range(usable),
+            "theta_i_deg": extent(np.degrees(self.theta_i)),
+            "theta_r_deg": extent(np.degrees(self.theta_r)),
+            "f_r": extent(usable),
             "f_r_median": float(np.median(usable)) if usable.size else None,
             "n_samples": int(self.mask.size),
             "n_usable": int(usable.size),
             "masked": {reason: int(n) for reason, n in self.masked.items()},
             "weighted": bool(np.ptp(self.weights) > 0),
-            "uncertainties": self._uncertainty_facts(),
+            "uncertainties": uncertainty_facts(self.values, self.mask, self.uncertainties),
             "common_uncertainty": self.common_uncertainty,
-            **_plain(dict(self.provenance)),
-        }
-
-    def _uncertainty_facts(self) -> dict[str, Any] | None:
-        """How many usable samples have an uncertainty, its range [1/sr], and its median relative to the values."""
-        if self.uncertainties is None:
-            return None
-        known = self.mask & np.isfinite(self.uncertainties)
-        u, f = self.uncertainties[known], np.abs(self.values[known])
-        relative = u[f > 0] / f[f > 0]
-        return {
-            "n_samples": int(known.sum()),
-            "range": _range(u),
-            "relative_median": float(np.median(relative)) if relative.size else None,
+            **plain(dict(self.provenance)),
         }
 
     def _known_codes(self) -> tuple[NDArray[np.uint8], tuple[str, ...]]:
@@ -411,97 +391,4 @@ class Measurement:
     def _part(self, **changes: Any) -> Self:
         part = replace(self, **changes)
         codes, names = part._known_codes()
-        return replace(part, masked=_count(codes, names))
-
-
-def _numbers(array: ArrayLike, label: str) -> NDArray[np.float64]:
-    try:
-        return np.array(array, np.float64)
-    except (TypeError, ValueError) as error:
-        raise DataError(f"{label} are not numbers: {error}", "Give an array of real numbers") from None
-
-
-def _samples(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """(N,) or (N, C) as (1, N, C)."""
-    if values.ndim == 1:
-        values = values[:, None]
-    return values[None] if values.ndim == 2 else values
-
-
-def _uncertainties(given: ArrayLike, values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Standard deviations (T, N, C), checked."""
-    array = _numbers(given, "uncertainties")
-    try:
-        array = np.array(np.broadcast_to(_samples(array) if array.ndim else array, values.shape))
-    except ValueError:
-        raise DataError(
-            f"uncertainties have shape {array.shape}, which does not fit the values {values.shape}",
-            "Give one standard deviation [1/sr] a sample, in the shape of the values",
-        ) from None
-    bad = (array <= 0) | np.isinf(array)
-    if bad.any():
-        t, n, c = (int(i) for i in np.argwhere(bad)[0])
-        raise DataError(
-            f"the uncertainty of direction {n}, channel {c}, time {t} is {array[t, n, c]:g}; "
-            f"{int(bad.sum())} of {bad.size} are not above 0 and finite",
-            "An uncertainty is one standard deviation [1/sr]; give NaN where it is not known",
-        )
-    return array
-
-
-def _broadcast(mask: ArrayLike | None, shape: tuple[int, ...]) -> NDArray[np.bool_] | None:
-    if mask is None:
-        return None
-    mask = np.asarray(mask, bool)
-    try:
-        return np.broadcast_to(mask, shape)
-    except ValueError:
-        raise DataError(
-            f"The mask has shape {mask.shape}, which does not broadcast to {shape}", "Give (T, N, C)"
-        ) from None
-
-
-def _channels(
-    channels: Sequence[str] | None, wavelengths: NDArray[np.float64] | None, n_channels: int
-) -> tuple[str, ...]:
-    if channels is None:
-        if wavelengths is not None:
-            return tuple(f"{w:g} nm" for w in wavelengths)
-        return {1: ("grey",), 3: ("R", "G", "B")}.get(n_channels) or tuple(
-            f"channel {i + 1}" for i in range(n_channels)
-        )
-    names = (channels,) if isinstance(channels, str) else tuple(str(c) for c in channels)
-    if len(names) != n_channels or len(set(names)) != n_channels:
-        raise DataError(
-            f"The channels are named {list(names)[:8]} for {n_channels} channels",
-            "Give as many different names as channels",
-        )
-    return names
-
-
-def _count(codes: NDArray[np.uint8], names: tuple[str, ...]) -> dict[str, int]:
-    counts = np.bincount(codes.reshape(-1), minlength=len(names) + 1)
-    return {name: int(n) for name, n in zip(names, counts[1:], strict=False) if n}
-
-
-def _some(array: NDArray[Any]) -> str:
-    array = array.reshape(-1)
-    shown = ", ".join(f"{x:g}" for x in array[:5])
-    return f"({shown}{', ...' if len(array) > 5 else ''})"
-
-
-def _range(values: NDArray[np.float64]) -> list[float] | None:
-    return [float(values.min()), float(values.max())] if values.size else None
-
-
-def _plain(value: Any) -> Any:
-    """The value in types that JSON has."""
-    if isinstance(value, Mapping):
-        return {str(k): _plain(v) for k, v in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_plain(v) for v in value]
-    if isinstance(value, np.ndarray):
-        return _plain(value.tolist())
-    if isinstance(value, np.generic):
-        return value.item()
-    return value if isinstance(value, (str, int, float, bool)) or value is None else str(value)
+        return replace(part, masked=counted(codes, names))

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from motes import directions
 from motes.errors import FormatError
 from motes.files import spreadsheet
-from motes.measurements import _cells, _roles, _scans, _table_values, policy
+from motes.measurements import _cells, _common_directions, _roles, _table_values, policy
 from motes.measurements import _column_names as names
 from motes.measurements._table_times import hours_of
 from motes.measurements.measurement import Measurement
@@ -148,13 +148,15 @@ def _measured(
     times, scan = np.unique(samples.hours, return_inverse=True)
     scan = scan.reshape(-1)
     members = np.split(np.argsort(scan, kind="stable"), np.cumsum(np.bincount(scan))[:-1])
-    union, indices = _scans.union([pairs[m] for m in members])
+    union, indices = _common_directions.union([pairs[m] for m in members])
     n_channels = values.shape[1]
-    spread, present = _scans.spread(len(union), indices, [values[m] for m in members], n_channels, str(path))
+    spread, present = _common_directions.spread(
+        len(union), indices, [values[m] for m in members], n_channels, str(path)
+    )
     uncertainties = None
     if samples.uncertainties is not None:
         parts = [samples.uncertainties[m] for m in members]
-        uncertainties, _ = _scans.spread(len(union), indices, parts, n_channels, str(path))
+        uncertainties, _ = _common_directions.spread(len(union), indices, parts, n_channels, str(path))
     weight = np.ones(len(union))
     for index, m in zip(indices, members, strict=True):
         weight[index] = weights[samples.rows[m]]
