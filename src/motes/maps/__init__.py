@@ -1,6 +1,7 @@
 """Reflectance maps: a fit at every texel, chunk by chunk, on one machine or many."""
 
 from motes.maps.fitted import FittedMap, open_fitted
+from motes.maps.making import whole
 from motes.maps.photographs import import_images
 from motes.maps.run import fit_map
 from motes.maps.simulated import simulate_map
@@ -18,6 +19,7 @@ __all__ = [
     "is_store",
     "open_map",
     "simulate_map",
+    "whole",
 ]
 
 

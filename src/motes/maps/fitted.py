@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import os
-import shutil
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -17,7 +16,7 @@ from numpy.typing import NDArray
 from motes import outlets
 from motes.errors import DataError, FormatError, MotesError
 from motes.fitting.texels import TexelFit
-from motes.maps import zarrs
+from motes.maps import making, zarrs
 from motes.maps.blocks import Blocks
 from motes.maps.layout import EXTRAS, FLAGS, Variable, stored_variables, variables_of
 from motes.maps.plan import Plan
@@ -251,8 +250,7 @@ class FittedMap:
 def create_fitted(path: Path, plan: Plan, restart: bool) -> FittedMap:
     """A new, empty store for the results of a plan; with `restart` in place of another."""
     stack, solver = plan.stack, plan.solver
-    if path.exists() and restart and zarrs.is_store(path) and _is_ours(path):
-        shutil.rmtree(path)
+    replaced = path.exists() and restart and zarrs.is_store(path) and _is_ours(path)
     variables = variables_of(solver.columns, plan.settings.trends is not None)
     times = () if plan.settings.trends is not None else ("time",)
     grid = {"y": stack.shape[0], "x": stack.shape[1], "time": len(stack.hours), "channel": len(stack.channels)}
@@ -261,7 +259,8 @@ def create_fitted(path: Path, plan: Plan, restart: bool) -> FittedMap:
         shape = tuple(grid[d] for d in dims)
         zarrs.add(group, name, dims=dims, shape=shape, chunks=(*stack.blocks.block, *shape[2:]), **options)
 
-    with zarrs.creating(path) as group:
+    with making.whole(path, instead=replaced) as store:
+        group = making.new_group(store)
         for v in variables:
             dims = ("y", "x", *times, *(("channel",) if v.per_channel else ()))
             unit = v.unit or "1"

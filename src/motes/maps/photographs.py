@@ -19,7 +19,6 @@ data window.
 from __future__ import annotations
 
 import os
-import tempfile
 from collections import Counter
 from collections.abc import Callable
 from contextlib import suppress
@@ -31,7 +30,7 @@ from motes.channels import default_names
 from motes.errors import FormatError, MotesError
 from motes.images.photograph import Photograph, open_photograph
 from motes.images.transfer_functions import Transfer, asked
-from motes.maps import zarrs
+from motes.maps import making, zarrs
 from motes.maps.lights import Row, rows_of, table_of
 from motes.maps.stack import MapStack, create_map, open_stack
 from motes.measurements import _common_directions
@@ -95,36 +94,24 @@ def import_images(
         raise MotesError(f"both linear and the transfer function {transfer!r} were given", "Give one of them")
     reader = _Reader(asked("linear") if linear else None if transfer is None else asked(transfer), layer)
     height, width, channels = reader.open(rows[0].file).shape
-    stack = create_map(
-        out,
-        (height, width),
-        union[:, :3],
-        union[:, 3:],
-        hours=times,
-        channels=default_names(channels),
-        chunk=chunk,
-        name=source.resolve().name,
-        attributes={
-            "source": f"{len(rows)} pictures",
-        },
-    )
     slots = [(t, int(d), row) for t, scan in enumerate(scans) for d, row in zip(places[t], scan, strict=True)]
-    try:
-        with tempfile.TemporaryDirectory(prefix=".motes-", dir=Path(out).resolve().parent) as temporary:
-            _transpose(stack, slots, Path(temporary) / "pictures", reader, progress)
-        zarrs.open_group(stack.path, "r+").attrs["notes"] = reader.notes()
-        zarrs.consolidate(stack.path)
-    except BaseException as error:
-        import shutil
-
-        shutil.rmtree(stack.path, ignore_errors=True)
-        if isinstance(error, OSError):
-            raise MotesError(
-                f"{out} cannot be written: {error.strerror or error}",
-                "The import needs twice the size of the map on the disk, half of it for a while",
-            ) from error
-        raise
-    return open_stack(stack.path, mode="r+")
+    with making.whole(
+        out, hint="The import needs twice the size of the map on the disk, half of it for a while"
+    ) as store:
+        stack = create_map(
+            store,
+            (height, width),
+            union[:, :3],
+            union[:, 3:],
+            hours=times,
+            channels=default_names(channels),
+            chunk=chunk,
+            name=source.resolve().name,
+            attributes={"source": f"{len(rows)} pictures"},
+        )
+        _transpose(stack, slots, store.with_name("pictures"), reader, progress)
+        zarrs.open_group(store, "r+").attrs["notes"] = reader.notes()
+    return open_stack(out, mode="r+")
 
 
 class _Reader:

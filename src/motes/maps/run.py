@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Collection, Generator, Mapping
 from concurrent.futures import Future, ThreadPoolExecutor
-from contextlib import suppress
+from contextlib import ExitStack, suppress
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
@@ -13,6 +13,7 @@ from typing import Any
 from motes.errors import MotesError
 from motes.maps import zarrs
 from motes.maps.fitted import FittedMap, create_fitted, open_fitted
+from motes.maps.making import at_work
 from motes.maps.plan import Plan, Settings, with_block
 from motes.maps.stack import MapStack, open_stack
 from motes.maps.work import DONE, UNREADABLE, Outcome, fit_block, read_block, write_block
@@ -95,12 +96,28 @@ def fit_map(
     if progress:
         progress(0, 1, "planning")
     settings = Settings.of(stack, model, loss, trends, fixed, per_channel, weights, max_theta)
-    fitted = _resumed(Path(out), settings, restart)
-    if fitted is None:
-        if progress:
-            progress(0, 1, "finding starts")
-        plan = Plan.make(stack, settings, model if isinstance(model, BRDF) else None)
-        fitted = create_fitted(Path(out), plan, restart)
+    path = Path(out)
+    with ExitStack() as held:
+        if restart and _lock(path).is_dir():
+            held.enter_context(at_work(_lock(path), path))
+        fitted = _resumed(path, settings, restart)
+        if fitted is None:
+            if progress:
+                progress(0, 1, "finding starts")
+            plan = Plan.make(stack, settings, model if isinstance(model, BRDF) else None)
+            fitted = create_fitted(path, plan, restart)
+        held.enter_context(at_work(_lock(fitted.path), path))
+        _go_on(fitted, scheduler, workers, progress)
+    return fitted
+
+
+def _lock(path: Path) -> Path:
+    """Where in a store the lock is, which those hold that fit."""
+    return path / "run" / "done"
+
+
+def _go_on(fitted: FittedMap, scheduler: str | None, workers: int | None, progress: Progress | None) -> None:
+    """Fit what is not done yet."""
     done = fitted.done()
     waiting = [b for b in fitted.blocks if not done[b]]
     total = fitted.shape[0] * fitted.shape[1]
@@ -128,7 +145,6 @@ def fit_map(
             fitted.record_failures(failures)
     if not failures:
         fitted.clean()
-    return fitted
 
 
 def _resumed(path: Path, settings: Settings, restart: bool) -> FittedMap | None:

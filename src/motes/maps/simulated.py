@@ -11,8 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from motes.directions import from_spherical
 from motes.errors import ParameterError
-from motes.maps import zarrs
-from motes.maps.stack import MapStack, create_map
+from motes.maps import making, zarrs
+from motes.maps.stack import MapStack, create_map, open_stack
 from motes.models import BRDF, describe, parse
 
 Floats = NDArray[np.float64]
@@ -68,16 +68,17 @@ def simulate_map(
         )
     wi, wo = two_views(lights)
     at = np.linspace(0, hours, times)
-    stack = create_map(
-        path, size, wi, wo, hours=at, chunk=chunk, compressed=False,
-        attributes={"source": "simulated by Motes", "notes": [f"relative noise {noise:g}, seed {seed}"]},
-    )  # fmt: skip
 
     def surface(y: Floats, x: Floats, t: Floats) -> dict[str, Floats]:
         return drying_surface(y / max(size[0] - 1, 1), x / max(size[1] - 1, 1), t)
 
-    fill(stack, MODEL, surface, noise, seed, progress)
-    return stack
+    with making.whole(path) as store:
+        stack = create_map(
+            store, size, wi, wo, hours=at, chunk=chunk, compressed=False,
+            attributes={"source": "simulated by Motes", "notes": [f"relative noise {noise:g}, seed {seed}"]},
+        )  # fmt: skip
+        fill(stack, MODEL, surface, noise, seed, progress)
+    return open_stack(path)
 
 
 def two_views(lights: int) -> tuple[Floats, Floats]:

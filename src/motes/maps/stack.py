@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from motes.channels import RGB, names_or_default
 from motes.errors import DataError, FormatError, ParameterError
-from motes.maps import zarrs
+from motes.maps import making, zarrs
 from motes.maps.blocks import Blocks, block_shape
 from motes.maps.opening import check, hours_of, reflectance, vectors
 from motes.maps.zarrs import AXES, NAME
@@ -97,7 +97,7 @@ class MapStack:
         try:
             self.array[y : y + h, x : x + w] = data
         except OSError as error:
-            raise zarrs.cannot_write(self.path, error) from error
+            raise zarrs.Unwritable(self.path, error) from error
 
     @cached_property
     def truth(self) -> Mapping[str, Any]:
@@ -203,6 +203,8 @@ def create_map(
         (D,), the solid angles that directions stand for; None for all alike.
     chunk
         Rows and columns of texels in a chunk; a chunk holds all times, directions and channels of its texels.
+    name
+        Of the map; that of the store when not given.
     attributes
         Further attributes: ``source``, ``notes``.
     compressed
@@ -227,12 +229,13 @@ def create_map(
             f"a map of {shape} texels in chunks of {chunks} with {len(channels)} channels", "All are >= 1"
         )
     chunks = (min(chunks[0], shape[0]), min(chunks[1], shape[1]))
-    with zarrs.creating(path) as group:
+    with making.whole(path) as store:
+        group = making.new_group(store)
         group.attrs.update(
             {
                 "format": zarrs.STACK,
                 "version": zarrs.VERSION,
-                "name": name or Path(path).stem,
+                "name": name or store.stem,
                 "channels": list(channels),
                 "conventions": zarrs.CONVENTIONS,
                 "coordinates": "wi wo",

@@ -6,10 +6,8 @@ import json
 import math
 import os
 import shlex
-import shutil
 import warnings
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -40,6 +38,8 @@ CONVENTIONS = {
 LARGEST_CHUNK, LARGEST_TABLE = 4 * 2**30, 2**28
 LARGEST_ATTRIBUTES = 2**20
 MOST_BLOCKS = 10_000_000
+#: What to do when a disk refuses.
+PLACE = "Choose a place that is writable and has room, with -o"
 
 
 def zarr() -> Any:
@@ -47,8 +47,13 @@ def zarr() -> Any:
     try:
         import zarr
     except ImportError:
-        raise MissingExtraError("zarr", "scale", "A reflectance map") from None
+        raise missing("zarr") from None
     return zarr
+
+
+def missing(package: str) -> MissingExtraError:
+    """The error that names the extra which brings a package."""
+    return MissingExtraError(package, "scale", "A reflectance map")
 
 
 def is_store(path: object) -> bool:
@@ -177,31 +182,6 @@ def check_chunks(array: Any, where: object) -> None:
         )
 
 
-@contextmanager
-def creating(path: object) -> Iterator[Any]:
-    """A new group at a path; when the block fails, what it made is gone again.
-
-    Raises
-    ------
-    MotesError
-        When something is there already, or the disk refuses.
-    """
-    library = zarr()
-    folder = Path(str(path))
-    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-        raise MotesError(f"{folder} exists and is not empty", "Choose another name, or remove it")
-    try:
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        group = library.create_group(str(folder), zarr_format=3, overwrite=True)
-        yield group
-        consolidate(folder)
-    except BaseException as error:
-        shutil.rmtree(folder, ignore_errors=True)
-        if isinstance(error, OSError):
-            raise cannot_write(folder, error) from error
-        raise
-
-
 def consolidate(folder: Path) -> None:
     """Metadata in one place: without it xarray warns."""
     with warnings.catch_warnings():
@@ -209,11 +189,12 @@ def consolidate(folder: Path) -> None:
         zarr().consolidate_metadata(str(folder))
 
 
-def cannot_write(where: object, error: OSError) -> MotesError:
+class Unwritable(MotesError):
     """The refusal of a disk, in a sentence."""
-    return MotesError(
-        f"{where} cannot be written: {error.strerror or error}", "Choose a place that is writable and has room, with -o"
-    )
+
+    def __init__(self, where: object, error: OSError, hint: str = PLACE) -> None:
+        super().__init__(f"{where} cannot be written: {error.strerror or error}", hint)
+        self.refusal = error
 
 
 def add(
