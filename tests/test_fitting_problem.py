@@ -64,7 +64,10 @@ def make(
         scale=0.02,
     )
     x = np.concatenate(
-        [np.resize(VALUES[q.name], q.where.stop - q.where.start) * rng.uniform(0.8, 1.2) for q in quantities]
+        [
+            q.coordinate(np.resize(VALUES[q.name], q.where.stop - q.where.start) * rng.uniform(0.8, 1.2))
+            for q in quantities
+        ]
     )
     return built, x
 
@@ -80,7 +83,7 @@ def dense(built: Problem, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     transform = ORACLE_LOSSES[built.loss.name]
 
     def residuals(x):
-        given = {q.name: x[q.where] for q in built.quantities} | dict(built.fixed)
+        given = {q.name: q.value(x[q.where]) for q in built.quantities} | dict(built.fixed)
         f = formula(at, *(given[name] for name in names))
         return (np.sqrt(built.weights) * (transform(f, at.mu_i) - transform(built.values, at.mu_i))).ravel()
 
@@ -283,7 +286,7 @@ def test_layout_labels_and_bounds() -> None:
     assert built.size == len(x) == 11
     low, high = built.bounds
     assert low[3] == 0
-    assert high[3] == pytest.approx(np.pi / 2)
+    assert high[3] == pytest.approx((np.pi / 2) ** 2)  # a fit moves in sigma_d^2
     assert np.all(low < high)
     metal, _ = make(per_channel=frozenset({"K_s"}))
     assert metal.labels(("R", "G", "B"))[4:8] == ("K_s[R]", "K_s[G]", "K_s[B]", "sigma_s")
@@ -293,7 +296,9 @@ def test_layout_labels_and_bounds() -> None:
 
 def test_predicted_is_eval() -> None:
     built, x = make()
-    values = {q.name: x[q.where] if q.per_channel else float(x[q.where][0]) for q in built.quantities}
+    values = {
+        q.name: q.value(x[q.where]) if q.per_channel else float(q.value(x[q.where])[0]) for q in built.quantities
+    }
     brdf = built.model.with_parameters(values)
     np.testing.assert_allclose(built.predicted(x), brdf.eval(built.wi, built.wo), rtol=1e-10)
     assert isinstance(brdf, motes.DustLayer)

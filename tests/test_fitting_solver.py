@@ -241,6 +241,6 @@ def test_a_parameter_that_nothing_depends_on_does_not_block_the_others() -> None
 
     x = np.linspace(0, 1, 20)
     slope = x @ (2 * x + 0.1 * np.sin(40 * x)) / (x @ x)
-    end = minimize(normal, np.array([[0.1, 0.16]]), np.array([-9.0, 0.005]), np.array([9.0, 1.5]))
+    end = minimize(normal, np.array([[0.1, 0.16]]), np.array([-9.0, 0.005]), np.array([9.0, 1.5]), brightness=30.0)
     assert end.status[0].ok
     np.testing.assert_allclose(end.x[0], [slope, 0.16], rtol=1e-6)

@@ -7,30 +7,22 @@ sum_t (dQ_t/dc)' g_t and the matrix sum_t (dQ_t/dc)' H_t (dQ_t/dc).  So one solv
 
 from __future__ import annotations
 
-import math
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import product
-from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from motes.fitting.choice import bic
+from motes.fitting.columns import Columns, columns_of
 from motes.fitting.losses import Floats
-from motes.fitting.problem import Normal, Problem, Quantity
-from motes.fitting.result import Verdict
-from motes.fitting.scans import ScanFits
-from motes.fitting.solver import Solution, minimize
-from motes.trends import KINDS, Trend, evaluate, flat
+from motes.fitting.problem import Problem, Quantity
+from motes.fitting.solver import Normal, Solution, minimize
+from motes.parameters import Parameter
+from motes.trends import KINDS, Trend, evaluate
 
-#: Kinds of trend that are compared, the simplest first.
-CANDIDATE_KINDS = ("constant", "linear", "exponential", "logistic", "quadratic", "cubic", "monotone_spline")
-
-MOST_CHANGES = 40
-# Reduction of the objective at which a fit stops, and the most iterations: for the fit that trends are first compared at, and for those that compare them.
-ROUGHLY, NEARLY = (1e-4, 20), (1e-7, 60)
-# Mean square, in standard errors, up to which scans agree on a value.
-AGREEMENT = 9.0
+# The lower bound of values whose square a model depends on, as a share of the typical range: at 0 a trend of them has no slope.
+FLAT = 1e-3
 
 
 @dataclass(frozen=True)
@@ -51,9 +43,16 @@ class Part:
         """The number of its flat coefficients."""
         return sum(1 if c.bounds else self.width for c in KINDS[self.kind].coefficients)
 
+    @property
+    def squared(self) -> bool:
+        """Whether the coefficients are squares: of a constant, where the model depends on the square."""
+        return self.kind == "constant" and self.quantity.parameter.squared
+
     def trend(self, c: Floats, covariance: Floats | None = None) -> Trend:
-        """The trend with flat coefficients `c`."""
-        values, start = {}, 0
+        """The trend with flat coefficients `c`, in the coordinates of the fit; `covariance` is of the trend's own."""
+        values: dict[str, float | Floats] = {}
+        start = 0
+        c = self.quantity.value(c) if self.squared else c
         for coefficient in KINDS[self.kind].coefficients:
             n = 1 if coefficient.bounds else self.width
             values[coefficient.name] = (
@@ -67,7 +66,7 @@ class Part:
         return [column[:, None] for column in KINDS[self.kind].basis(hours, *self.interval)]
 
     def values(self, basis: list[Floats], c: Floats) -> tuple[Floats, Floats]:
-        """Values (B, T, W) and derivatives (B, T, W, K) for flat coefficients (B, K)."""
+        """Coordinates of the parameter (B, T, W) and their derivatives (B, T, W, K) for flat coefficients (B, K)."""
         given, where, start = {}, {}, 0
         for coefficient in KINDS[self.kind].coefficients:
             n = 1 if coefficient.bounds else self.width
@@ -84,7 +83,10 @@ class Part:
             else:
                 for channel, k in enumerate(range(columns.start, columns.stop)):
                     jacobian[..., channel, k] = np.broadcast_to(slope, shape)[..., channel]
-        return np.broadcast_to(value, shape), jacobian
+        value = np.broadcast_to(value, shape)
+        if self.quantity.parameter.squared and not self.squared:
+            return value * value, 2 * value[..., None] * jacobian
+        return value, jacobian
 
     def bounds(self) -> tuple[Floats, Floats]:
         """Of the flat coefficients: the parameter's for values, parts of the duration for times."""
@@ -93,7 +95,7 @@ class Part:
         high: list[float] = []
         for coefficient in KINDS[self.kind].coefficients:
             if coefficient.bounds is None:
-                a, b = self.quantity.parameter.fit_bounds
+                a, b = self._value_bounds()
             elif coefficient.is_time:
                 a, b = (x * (last - first) for x in coefficient.bounds)
                 if coefficient.name == "middle":
@@ -105,9 +107,26 @@ class Part:
             high += [b] * n
         return np.array(low), np.array(high)
 
+    def _value_bounds(self) -> tuple[float, float]:
+        parameter = self.quantity.parameter
+        if self.squared or not parameter.squared:
+            return self.quantity.bounds
+        low, high = parameter.fit_bounds
+        return low + (FLAT * (parameter.typical[1] - parameter.typical[0]) if low == 0 else 0.0), high
+
+    @property
+    def declared(self) -> list[Parameter | None]:
+        """Of each flat coefficient the parameter that it is a value of; None for times and shares."""
+        return [
+            None if coefficient.bounds else self.quantity.parameter
+            for coefficient in KINDS[self.kind].coefficients
+            for _ in range(1 if coefficient.bounds else self.width)
+        ]
+
     def starts(self, hours: Floats, values: Floats) -> Floats:
-        """Flat coefficients to start from (S, K), given rough values (T, W) at the scans."""
+        """Flat coefficients to start from (S, K), given rough coordinates of the parameter (T, W) at the scans."""
         first, last = self.interval
+        values = values if self.squared else self.quantity.value(values)
         edge = max(1, len(hours) // 6)
         begin, end = values[:edge].mean(axis=0), values[-edge:].mean(axis=0)
         columns: list[list[Floats]] = []
@@ -168,6 +187,30 @@ class Joint:
             x[:, part.quantity.where], jacobian[:, part.quantity.where, where] = value[0], slopes[0]
         return x, jacobian
 
+    @property
+    def columns(self) -> Columns:
+        """What is known of the coefficients beforehand."""
+        squared = [part.squared for part in self.parts for _ in range(part.size)]
+        declared = [p for part in self.parts for p in part.declared]
+        return columns_of(declared, *self.bounds(), squared=squared)
+
+    @property
+    def groups(self) -> list[slice]:
+        """The coefficients that are values of one parameter for its channels, those of each kind together."""
+        found = []
+        for part, where in zip(self.parts, self.slices(), strict=True):
+            start = where.start
+            for coefficient in KINDS[part.kind].coefficients:
+                count = 1 if coefficient.bounds else part.width
+                if coefficient.bounds is None and part.kind == "constant":
+                    found.append(slice(start, start + count))
+                start += count
+        return found
+
+    def brightness(self) -> Floats:
+        """The weighted sum of squares of the data of each scan (T,)."""
+        return self.problem.brightness(self.scans)
+
     def normal(self, batch: Floats) -> Normal:
         """Objectives and normal equations for coefficient vectors (B, K)."""
         results = []
@@ -175,13 +218,30 @@ class Joint:
             x, jacobian = self.vectors(c)
             scan = self.problem.normal(x, self.scans)
             gradient = np.einsum("tpk,tp->k", jacobian, scan.gradient)
-            matrix = np.einsum("tpk,tpq,tql->kl", jacobian, scan.matrix, jacobian, optimize=True)
-            results.append((scan.objective.sum(), gradient, matrix))
+            results.append((scan.objective.sum(), gradient, _chained(jacobian, scan.matrix)))
         return Normal(*(np.array(part) for part in zip(*results, strict=True)))
 
-    def solve(self, starts: Floats, reduction: float = 1e-10, max_iterations: int = 200) -> Solution:
+    def solve(
+        self,
+        starts: Floats,
+        *,
+        held: NDArray[np.bool_] | None = None,
+        reduction: float = 1e-10,
+        max_iterations: int = 200,
+    ) -> Solution:
+        """Minimise from each of `starts` (B, K)."""
         low, high = self.bounds()
-        return minimize(self.normal, starts, low, high, reduction=reduction, max_iterations=max_iterations)
+        bright = float(self.brightness().sum())
+        return minimize(
+            self.normal,
+            starts,
+            low,
+            high,
+            held=held,
+            brightness=bright,
+            reduction=reduction,
+            max_iterations=max_iterations,
+        )
 
     @property
     def samples(self) -> int:
@@ -189,410 +249,25 @@ class Joint:
 
     def bic(self, objective: float) -> float:
         """The Bayesian information criterion of an objective, with a coefficient as a parameter, or as `inflation` of them."""
-        n = self.samples
         count = sum(p.size * i for p, i in zip(self.parts, self.inflation or (1.0,) * len(self.parts), strict=True))
-        return n * math.log(max(2 * objective / n, 1e-300)) + count * math.log(n)
+        return bic(objective, self.samples, count)
 
-    def covariance(self, c: Floats) -> Floats:
-        """Of the coefficients (K, K): the sandwich over all scans; NaN rows where they are not determined or at a bound."""
+    def curvature(self, c: Floats) -> Floats:
+        """The expected second derivative (K, K) of the objective; see `Problem.curvature`."""
         x, jacobian = self.vectors(c)
-        curvatures = np.stack([self.problem.curvature(x[k], np.array([t])) for k, t in enumerate(self.scans)])
-        matrix = np.einsum("tpk,tpq,tql->kl", jacobian, curvatures, jacobian, optimize=True)
-        low, high = self.bounds()
-        margin = 1e-9 * (1 + np.abs(c))
-        inside = (
-            (c > low + margin) & (c < high - margin) & (np.diag(matrix) > 1e-14 * np.diag(matrix).max(initial=1e-300))
-        )
-        free = np.flatnonzero(inside)
-        full = np.full((len(c), len(c)), np.nan)
-        if not len(free):
-            return full
-        scale = 1 / np.sqrt(np.diag(matrix)[free])
-        eigenvalues, vectors = np.linalg.eigh(matrix[np.ix_(free, free)] * np.outer(scale, scale))
-        null = eigenvalues < 1e-11
-        inverse = np.zeros_like(matrix)
-        inverse[np.ix_(free, free)] = (
-            (vectors * np.where(null, 0, 1 / np.where(null, 1, eigenvalues))) @ vectors.T * np.outer(scale, scale)
-        )
-        middle = np.zeros_like(matrix)
+        scans = [self.problem.curvature(x[k], np.array([t])) for k, t in enumerate(self.scans)]
+        return _chained(jacobian, np.stack(scans))
+
+    def spread(self, c: Floats, inverse: Floats) -> Floats:
+        """The middle of the sandwich (K, K) over all scans; see `Problem.spread`."""
+        x, jacobian = self.vectors(c)
+        middles = []
         for k, t in enumerate(self.scans):
             own = jacobian[k] @ inverse @ jacobian[k].T
-            middle += jacobian[k].T @ self.problem.spread(x[k], own, np.array([t])) @ jacobian[k]
-        covariance = inverse @ middle @ inverse
-        seen = free[~np.any(np.abs(vectors[:, null]) > 0.1, axis=1)]
-        full[np.ix_(seen, seen)] = covariance[np.ix_(seen, seen)]
-        return full
+            middles.append(self.problem.spread(x[k], own, np.array([t])))
+        return _chained(jacobian, np.stack(middles))
 
 
-@dataclass(frozen=True)
-class Alternative:
-    """Another kind of trend for one parameter: how much worse its BIC is (over the part's inflation), and the trend."""
-
-    kind: str
-    delta_bic: float
-    trend: Trend
-
-
-def determined(kind: str, scans: int) -> bool:
-    """Whether so many scans can determine a trend of this kind.
-
-    A polynomial may pass through all scans; other laws, which can be wrong, need a scan more.
-    """
-    polynomial = kind in ("constant", "linear", "quadratic", "cubic")
-    return len(KINDS[kind].coefficients) <= scans - (0 if polynomial else 1)
-
-
-class Survey(NamedTuple):
-    """A joint fit at coefficients: parameters (T, P), their derivatives (T, P, K), and the scans' normal equations."""
-
-    x: Floats
-    jacobian: Floats
-    scan: Normal
-
-
-def survey(joint: Joint, c: Floats) -> Survey:
-    """What the profiles of all parts need, worked out once."""
-    x, jacobian = joint.vectors(c)
-    return Survey(x, jacobian, joint.problem.normal(x, joint.scans))
-
-
-class Profile:
-    """What all scans say about the values of one parameter, the trends of the others free to follow.
-
-    Near the joint solution the objective is a quadratic in the parameters of all scans; eliminating the others' coefficients leaves a
-    quadratic in this parameter's values, in which kinds of trends can be compared in no time.
-    """
-
-    def __init__(self, joint: Joint, c: Floats, index: int, at: Survey) -> None:
-        self.joint, self.part, self.index = joint, joint.parts[index], index
-        x, jacobian, scan = at
-        scans = len(x)
-        own = self.part.quantity.where
-        self.values = x[:, own]
-        rest = np.concatenate(
-            [np.arange(s.start, s.stop) for k, s in enumerate(joint.slices()) if k != index] or [np.arange(0)]
-        )
-        width = own.stop - own.start
-        matrix = np.zeros((scans * width, scans * width))
-        cross = np.zeros((scans * width, len(rest)))
-        for t in range(scans):
-            rows = slice(t * width, (t + 1) * width)
-            matrix[rows, rows] = scan.matrix[t][own, own]
-            cross[rows] = scan.matrix[t][own] @ jacobian[t][:, rest]
-        others = np.einsum("tpk,tpq,tql->kl", jacobian[:, :, rest], scan.matrix, jacobian[:, :, rest], optimize=True)
-        slope = np.einsum("tpk,tp->k", jacobian[:, :, rest], scan.gradient)
-        low, high = joint.bounds()
-        pull = np.einsum("tpk,tp->k", jacobian, scan.gradient)
-        held = ((c <= low) & (pull > 0)) | ((c >= high) & (pull < 0))
-        free = ~held[rest]
-        gradient = scan.gradient[:, own].ravel()
-        self.objective = float(scan.objective.sum())
-        pick = np.zeros((scans * width, scans, x.shape[1]))  # from the gradients of the scans to the one of this part
-        for t in range(scans):
-            pick[t * width : (t + 1) * width, t, own] = np.eye(width)
-        if free.any():
-            inverse = np.linalg.pinv(others[np.ix_(free, free)], rcond=1e-11, hermitian=True)
-            onto = cross[:, free] @ inverse
-            matrix = matrix - onto @ cross[:, free].T
-            gradient = gradient - onto @ slope[free]
-            self.objective -= 0.5 * float(slope[free] @ inverse @ slope[free])  # the others' own way to their minimum
-            pick -= np.einsum("vk,tpk->vtp", onto, jacobian[:, :, rest[free]])
-        self.matrix, self.gradient, self._pick = matrix, gradient, pick
-        # Where the scans would like the values to be: the minimum of the quadratic, as far as they say.
-        eigenvalues, vectors = np.linalg.eigh(matrix)
-        along = vectors.T @ gradient
-        most = eigenvalues.max(initial=0.0)
-        move = vectors @ np.divide(along, eigenvalues, out=np.zeros_like(along), where=eigenvalues > 1e-6 * most)
-        # No trend at all, within bounds or not, gets below this objective.
-        seen = eigenvalues > 1e-12 * most
-        self.least = self.objective - 0.5 * float(np.sum(along[seen] ** 2 / eigenvalues[seen]))
-        self.wish = np.clip(self.values - move.reshape(self.values.shape), *self.part.quantity.parameter.fit_bounds)
-
-    def inflation(self, middles: Floats, noise: float) -> float:
-        """How many times the variance of this part's smooth changes exceeds what the mean square `noise` of a residual says; at least 1.
-
-        The samples of a highlight are brighter, so noisier, than most; an objective that weighs all alike then falls by more than it should when a
-        coefficient is added.  `middles` are the sandwich's of the scans (T, P, P).  Counting the coefficient as so many makes the criterion fair:
-        the composite-likelihood BIC of Gao and Song (2010).
-        """
-        if not noise > 0:
-            return 1.0
-        hours = self.joint.hours[self.joint.scans]
-        smooth = np.stack(KINDS["cubic"].basis(hours, *self.part.interval), axis=1)  # (T, 4)
-        directions = np.kron(smooth, np.eye(self.part.width))
-        picked = np.einsum("vtp,vk->tpk", self._pick, directions)
-        middle = np.einsum("tpk,tpq,tql->kl", picked, middles, picked, optimize=True)
-        inverse = np.linalg.pinv(directions.T @ self.matrix @ directions, rcond=1e-9, hermitian=True)
-        rank = np.linalg.matrix_rank(inverse, hermitian=True)
-        return max(float(np.trace(inverse @ middle)) / (max(rank, 1) * noise), 1.0)
-
-    def fitted(self, kind: str) -> tuple[float, Floats]:
-        """The objective with another kind for this parameter, and its coefficients."""
-        part = replace(self.part, kind=kind)
-        hours = self.joint.hours[self.joint.scans]
-
-        basis = part.basis(hours)
-
-        def normal(batch: Floats) -> Normal:
-            value, slopes = part.values(basis, batch)
-            rows = slopes.reshape(len(batch), -1, part.size)
-            move = (value - self.values).reshape(len(batch), -1)
-            push = move @ self.matrix
-            change = move @ self.gradient + 0.5 * np.einsum("bv,bv->b", move, push)
-            transposed = np.swapaxes(rows, 1, 2)
-            gradient = (transposed @ (self.gradient + push)[..., None])[..., 0]
-            return Normal(self.objective + change, gradient, transposed @ (self.matrix @ rows))
-
-        low, high = part.bounds()
-        solution = minimize(normal, part.starts(hours, self.wish), low, high, max_iterations=40, reduction=1e-8)
-        best = solution.best()
-        return float(solution.normal.objective[best]), solution.x[best]
-
-    def compared(self, below: float = math.inf) -> dict[str, tuple[float, Floats]]:
-        """For each candidate kind that so many scans can tell: the BIC by the quadratic, and its coefficients.
-
-        Those that can't have a BIC below `below` are left out.
-        """
-        table = {}
-        for kind in CANDIDATE_KINDS:
-            if not determined(kind, len(self.joint.scans)):
-                continue
-            parts = tuple(replace(p, kind=kind) if k == self.index else p for k, p in enumerate(self.joint.parts))
-            changed = replace(self.joint, parts=parts)
-            if changed.bic(max(self.least, 0.0)) < below:
-                objective, c = self.fitted(kind)
-                table[kind] = (changed.bic(max(objective, 0.0)), c)
-        return table
-
-
-def surveyed(joint: Joint, c: Floats) -> tuple[Joint, list[Profile]]:
-    """The profiles of all parts at coefficients `c`, and the joint fit with their inflation."""
-    at = survey(joint, c)
-    noise = 2 * float(at.scan.objective.sum()) / joint.samples
-    # With the leverage that a sample has within its scan: what is judged are changes from scan to scan.
-    inverses = np.linalg.pinv(at.scan.matrix, rcond=1e-12, hermitian=True)
-    middles = np.stack(
-        [
-            joint.problem.spread(x, inverse, np.array([t]))
-            for x, inverse, t in zip(at.x, inverses, joint.scans, strict=True)
-        ]
-    )
-    profiles = [Profile(joint, c, k, at) for k in range(len(joint.parts))]
-    joint = replace(joint, inflation=tuple(p.inflation(middles, noise) for p in profiles))
-    for profile in profiles:
-        profile.joint = joint
-    return joint, profiles
-
-
-def first_guess(
-    problem: Problem, hours: Floats, fits: ScanFits, scans: NDArray[np.intp], kinds: Mapping[str, str]
-) -> tuple[Joint, Floats]:
-    """A joint fit to start from: a cubic through the scans' own values, or what `kinds` asks for."""
-    interval = (float(hours[scans[0]]), float(hours[scans[-1]]))
-    flexible = "cubic" if len(scans) >= 6 else "linear" if len(scans) >= 2 else "constant"
-    parts, starts = [], []
-    for q in problem.quantities:
-        kind = kinds.get(q.name, flexible)
-        if any(
-            c.is_time for c in KINDS[kind].coefficients
-        ):  # has several valleys: `select` starts it from the flexible trend
-            kind = flexible
-        part = Part(q, kind, interval)
-        values, errors = fits.x[:, q.where], fits.stderr[:, q.where]
-        known = np.isfinite(errors).all(axis=1)
-        if known.any():  # a scan that cannot see the parameter takes the value of its neighbours
-            values = np.stack([np.interp(hours[scans], hours[scans][known], v[known]) for v in values.T], axis=1)
-        parts.append(part)
-        starts.append(part.starts(hours[scans], values)[0])
-    joint = Joint(problem, hours, scans, tuple(parts))
-
-    def nearest(batch: Floats) -> Normal:
-        """To the scans' own fits, as far as each determines what: by their normal matrices, without a look at the data."""
-        results = []
-        for c in batch:
-            x, jacobian = joint.vectors(c)
-            away = x - fits.x
-            push = np.einsum("tpq,tq->tp", fits.normal.matrix, away)
-            matrix = np.einsum("tpk,tpq,tql->kl", jacobian, fits.normal.matrix, jacobian, optimize=True)
-            objective = fits.normal.objective.sum() + 0.5 * float(np.sum(away * push))
-            results.append((objective, np.einsum("tpk,tp->k", jacobian, push), matrix))
-        return Normal(*(np.array(part) for part in zip(*results, strict=True)))
-
-    # Both the plain values and the nearest trends are starts: a scan on a false branch spoils one or the other.
-    plain = np.concatenate(starts)[None]
-    low, high = joint.bounds()
-    both = np.concatenate([plain, minimize(nearest, plain, low, high, max_iterations=30, reduction=1e-6).x])
-    rough = joint.solve(both, *ROUGHLY)
-    return joint, rough.x[rough.best()]
-
-
-def steady_values(problem: Problem, fits: ScanFits) -> dict[str, Floats]:
-    """Parameters that some scans do not determine and the others agree on, with that value (W,).
-
-    Where a scan says nothing of a parameter its trend can wander off, into a minimum of its own; `select` tries whether a constant does.
-    """
-    found = {}
-    for q in problem.quantities:
-        values, errors = fits.x[:, q.where], fits.stderr[:, q.where]
-        unseen = (Verdict.UNIDENTIFIABLE, Verdict.WEAK)
-        sure = np.array([not any(v in unseen for v in verdicts[q.where]) for verdicts in fits.verdicts])
-        sure &= np.isfinite(errors).all(axis=1) & (errors > 0).all(axis=1)
-        if sure.sum() < 2:
-            continue
-        weights = 1 / errors[sure] ** 2
-        mean = (weights * values[sure]).sum(axis=0) / weights.sum(axis=0)
-        if np.mean(weights * (values[sure] - mean) ** 2) < AGREEMENT:
-            found[q.name] = mean
-    return found
-
-
-class Proposal(NamedTuple):
-    """Another kind for the part at this position: the BIC expected, and its coefficients."""
-
-    bic: float
-    part: int
-    kind: str
-    coefficients: Floats
-
-
-def _proposals(
-    joint: Joint, profiles: list[Profile], bic: float, fixed_kinds: Mapping[str, str], refused: set[tuple[str, str]]
-) -> list[Proposal]:
-    """The best change for each part that promises a smaller BIC, the most promising first."""
-    proposals = []
-    for index, part in enumerate(joint.parts):
-        name = part.quantity.name
-        if name in fixed_kinds:
-            continue
-        better = [
-            Proposal(guess, index, kind, coefficients)
-            for kind, (guess, coefficients) in profiles[index].compared(bic).items()
-            if kind != part.kind and guess < bic - 1e-9 and (name, kind) not in refused
-        ]
-        if better:
-            proposals.append(min(better, key=lambda p: p.bic))
-    return sorted(proposals, key=lambda p: p.bic)
-
-
-def _changed(joint: Joint, c: Floats, proposals: list[Proposal]) -> tuple[Joint, Floats]:
-    """The joint fit with other kinds, and the coefficients to start from."""
-    by_index = {p.part: p for p in proposals}
-    parts = tuple(replace(p, kind=by_index[k].kind) if k in by_index else p for k, p in enumerate(joint.parts))
-    pieces = [by_index[k].coefficients if k in by_index else c[s] for k, s in enumerate(joint.slices())]
-    return replace(joint, parts=parts), np.concatenate(pieces)
-
-
-def _steadied(
-    joint: Joint,
-    solution: Solution,
-    bic: float,
-    fixed_kinds: Mapping[str, str],
-    steady: Mapping[str, Floats],
-    seen: set[tuple[str, ...]],
-) -> tuple[Joint, Solution] | None:
-    """The joint fit with constants for what is `steady`, all at once or one at a time, if that is better."""
-    candidates = [
-        Proposal(-math.inf, k, "constant", steady[p.quantity.name])
-        for k, p in enumerate(joint.parts)
-        if p.kind != "constant" and p.quantity.name in steady and p.quantity.name not in fixed_kinds
-    ]
-    choices = [candidates] if len(candidates) == 1 else [candidates, *([c] for c in candidates)] if candidates else []
-    for chosen in choices:
-        changed, start = _changed(joint, solution.x[0], chosen)
-        kinds = tuple(p.kind for p in changed.parts)
-        if kinds in seen:
-            continue
-        seen.add(kinds)
-        tried = changed.solve(start[None], *NEARLY)
-        if changed.bic(float(tried.normal.objective[0])) < bic:
-            return changed, tried
-    return None
-
-
-def select(
-    joint: Joint,
-    c: Floats,
-    fixed_kinds: Mapping[str, str],
-    progress: Any = None,
-    steady: Mapping[str, Floats] | None = None,
-) -> tuple[Joint, Solution, dict[str, list[Alternative]]]:
-    """Choose the kind of each trend by BIC: the best single change by the quadratic is fitted in full, until none helps.
-
-    `steady` are values that may be constant (`steady_values`).  Returns the joint fit, its solution, and for each parameter the alternatives with
-    their distance in BIC.
-    """
-    solution = joint.solve(c[None], *ROUGHLY)
-    settled = [
-        Proposal(-math.inf, k, kind, Profile(joint, solution.x[0], k, survey(joint, solution.x[0])).fitted(kind)[1])
-        for k, part in enumerate(joint.parts)
-        if (kind := fixed_kinds.get(part.quantity.name, part.kind)) != part.kind
-    ]
-    if settled:
-        joint, c = _changed(joint, solution.x[0], settled)
-        solution = joint.solve(c[None], *NEARLY)
-    refused: set[tuple[str, str]] = set()
-    seen: set[tuple[str, ...]] = set()  # the inflation changes with the trends, so that a choice could come round again
-    for step in range(MOST_CHANGES):
-        joint, profiles = surveyed(joint, solution.x[0])
-        bic = joint.bic(float(solution.normal.objective[0]))
-        seen.add(tuple(p.kind for p in joint.parts))
-        proposals = _proposals(joint, profiles, bic, fixed_kinds, refused)
-        if not proposals:
-            steadier = _steadied(joint, solution, bic, fixed_kinds, steady or {}, seen)
-            if steadier is None:
-                break
-            joint, solution = steadier
-            continue
-        # All at once first; if that is no better, the most promising one.
-        for chosen in (proposals, proposals[:1]) if len(proposals) > 1 else (proposals,):
-            changed, start = _changed(joint, solution.x[0], chosen)
-            if tuple(p.kind for p in changed.parts) in seen:
-                continue
-            tried = changed.solve(start[None], *NEARLY)
-            new_bic = changed.bic(float(tried.normal.objective[0]))
-            if progress:
-                words = ", ".join(f"{joint.parts[p.part].quantity.name} {p.kind}" for p in chosen)
-                progress(step, MOST_CHANGES, words)
-            if new_bic < bic:
-                joint, solution = changed, tried
-                break
-        else:
-            refused.add((joint.parts[proposals[0].part].quantity.name, proposals[0].kind))
-    solution = joint.solve(solution.x)
-    joint, profiles = surveyed(joint, solution.x[0])
-    bic = joint.bic(float(solution.normal.objective[0]))
-    alternatives: dict[str, list[Alternative]] = {}
-    for index, (part, where) in enumerate(zip(joint.parts, joint.slices(), strict=True)):
-        own = [Alternative(part.kind, 0.0, part.trend(solution.x[0][where]))]
-        settled_kind = part.quantity.name in fixed_kinds
-        table = {} if settled_kind else profiles[index].compared()
-        others = [
-            Alternative(kind, (guess - bic) / joint.inflation[index], replace(part, kind=kind).trend(coefficients))
-            for kind, (guess, coefficients) in table.items()
-            if kind != part.kind
-        ]
-        alternatives[part.quantity.name] = sorted(own + others, key=lambda a: a.delta_bic)
-    return joint, solution, alternatives
-
-
-def coefficients_of(joint: Joint, c: Floats) -> dict[str, Floats]:
-    """The flat coefficients by parameter."""
-    return {p.quantity.name: c[s] for p, s in zip(joint.parts, joint.slices(), strict=True)}
-
-
-__all__ = [
-    "CANDIDATE_KINDS",
-    "Alternative",
-    "Joint",
-    "Part",
-    "Profile",
-    "Survey",
-    "coefficients_of",
-    "determined",
-    "first_guess",
-    "flat",
-    "select",
-    "steady_values",
-    "survey",
-    "surveyed",
-]
+def _chained(jacobian: Floats, matrices: Floats) -> Floats:
+    """The sum over scans of J' H J: from the scans' parameters (T, P, P) to the coefficients (K, K)."""
+    return np.asarray(np.einsum("tpk,tpq,tql->kl", jacobian, matrices, jacobian, optimize=True))

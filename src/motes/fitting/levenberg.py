@@ -1,176 +1,69 @@
-"""One iteration of Levenberg-Marquardt with box bounds, as formulas over an array namespace.
+"""One iteration of Levenberg-Marquardt with box bounds, in named steps over an algebra (`motes.fitting.algebra`).
 
-`motes.fitting.printed.lanes` prints them into kernels, where a lane is a texel; on NumPy arrays they run as they are, which the tests use.  The
-method is that of `motes.fitting.solver`: damping by Nielsen (1999) with the diagonal of the normal matrix as the scale; a parameter at a
-bound whose gradient points outwards is held for the step, and one that a step would carry past a bound stops there and the others are
-solved for again.  Nothing branches: what differs from lane to lane is chosen with ``where``.
+`motes.fitting.solver` runs them over NumPy, `motes.fitting.printed` prints them into kernels: the same steps and the same
+constants for one fit and for millions.  A parameter at a bound whose gradient points outwards is held for the step, and one
+that a step would carry past a bound stops there and the others are solved for again; damping follows Nielsen (1999), with
+the diagonal of the normal matrix as the scale (Marquardt), so that units do not matter.
 
-Two things differ, since kernels work in float32: a step that converges is taken, not only judged, so that the error left is that of the
-*next* step; and differences of objectives below their rounding (`noise`) count as none.
+Each iteration is `held`, `bounded_step` (as often as something leaves the box, `ROUNDS` at most), `proposal`, the normal
+equations at the proposed point, and `judged`.  A step that converges is taken without another look at the data: what is
+left is the error of the step after it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
 from motes.arrays import Array
+from motes.fitting.algebra import Algebra, absolute, flag, outer
+from motes.fitting.result import Status
 
-LEAST_DAMPING, MOST_DAMPING = 1e-9, 1e12
+FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 1e-3, 1e-10, 1e12
+FIRST_GROWTH = 2.0
 # With more damping than this a small step says nothing about convergence.
 FULL_STEP = 1e-2
-# See `motes.fitting.solver.BLIND`; float32 sums cannot see less than this.
-BLIND = 1e-16
-# After so many better points in a row that are hardly better, a lane stops.
-PATIENCE = 6.0
+# A parameter that, moved by its own size, changes the squared residuals by less than this share of the data's square stays
+# where it is for a step: its derivative is noise, and a step along it would spoil the steps of the others.
+BLIND = 1e-18
+# A fit ends after so many better points in a row that are hardly better: it creeps along a valley that the data hardly
+# tell from its floor.  Hardly better is by less than this many times what counts as converged.
+PATIENCE, HARDLY = 8.0, 100.0
+# A step that moves every parameter by less than this share of it is the last.
+SMALL_STEP = 1e-9
+# An objective below this is zero.
+PERFECT = 1e-30
+# How often a step is solved for again because something left the box.
+ROUNDS = 3
 
-
-def packed(row: int, column: int) -> int:
-    """Where an element of a symmetric matrix stands among the rows of its lower triangle."""
-    row, column = max(row, column), min(row, column)
-    return row * (row + 1) // 2 + column
+#: Why a lane ended, by the code that `proposal` gives it; 0 goes on.
+ENDINGS = (
+    Status.MAX_ITERATIONS,
+    Status.PERFECT,
+    Status.CONVERGED,
+    Status.SMALL_STEP,
+    Status.IDLE,
+    Status.NO_PROGRESS,
+)
 
 
 class Step(NamedTuple):
-    """A bounded step: the step itself and, for each parameter, 1 where it left the box and was stopped, besides those stopped before."""
+    """A bounded step (P, B); 1 for what is stopped, those that it stopped included; how many it stopped (B,)."""
 
-    step: list[Array]
-    stopped: list[Array]
+    step: Array
+    stopped: Array
     leaving: Array
 
 
-def held(
-    xp: Array,
-    x: Sequence[Array],
-    gradient: Sequence[Array],
-    matrix: Sequence[Array],
-    low: Sequence[Array],
-    high: Sequence[Array],
-    fixed: Sequence[Array],
-    brightness: Array,
-) -> list[Array]:
-    """1 for what stays as it is in this step: fixed, unseen by the data, or at a bound and pushed out; else 0.
-
-    `brightness` is the sum of squares of the data.
-    """
-    stuck = []
-    for k, value in enumerate(x):
-        size = xp.maximum(xp.maximum(value, -value), 1e-3)
-        blind = matrix[packed(k, k)] * size * size <= BLIND * brightness
-        outward = xp.where(
-            gradient[k] > 0, value <= low[k], xp.where(gradient[k] < 0, value >= high[k], gradient[k] > 0)
-        )
-        stuck.append(xp.where(blind, 1.0, xp.where(outward, 1.0, fixed[k])))
-    return stuck
-
-
-def bounded_step(
-    xp: Array,
-    x: Sequence[Array],
-    gradient: Sequence[Array],
-    matrix: Sequence[Array],
-    damping: Array,
-    low: Sequence[Array],
-    high: Sequence[Array],
-    stopped: Sequence[Array],
-    given: Sequence[Array],
-) -> Step:
-    """Solve (H + damping diag H) step = -gradient for what is not `stopped`, whose steps are `given`; then stop what leaves the box."""
-    size = len(x)
-    diagonal = [matrix[packed(k, k)] for k in range(size)]
-    largest = diagonal[0]
-    for d in diagonal[1:]:
-        largest = xp.maximum(largest, d)
-    floor = xp.maximum(1e-14 * largest, 1e-300)
-    scale = [1 / xp.sqrt(xp.maximum(d, floor)) for d in diagonal]
-    free = [1.0 - s for s in stopped]
-    rows: list[list[Array]] = []
-    inverse: list[Array] = []
-    for i in range(size):  # L D L' of the scaled matrix, with unit rows for what is stopped
-        row: list[Array] = []
-        for j in range(i):
-            a = matrix[packed(i, j)] * (scale[i] * scale[j]) * (free[i] * free[j])
-            for k in range(j):
-                a = a - row[k] * rows[j][k]
-            row.append(a)
-        pivot = 1.0 + damping
-        unit = [a * inverse[k] for k, a in enumerate(row)]
-        for a, u in zip(row, unit, strict=True):
-            pivot = pivot - a * u
-        rows.append(unit)
-        inverse.append(1 / xp.maximum(pivot, 1e-9))
-    z: list[Array] = []
-    for i in range(size):
-        against = gradient[i]
-        for k in range(size):
-            against = against + matrix[packed(i, k)] * (stopped[k] * given[k])
-        a = -(against * scale[i] * free[i])
-        for k in range(i):
-            a = a - rows[i][k] * z[k]
-        z.append(a)
-    solved: list[Array] = [0.0] * size
-    for i in reversed(range(size)):
-        a = z[i] * inverse[i]
-        for k in range(i + 1, size):
-            a = a - rows[k][i] * solved[k]
-        solved[i] = a
-    step: list[Array] = []
-    now: list[Array] = []
-    leaving: Array = 0.0
-    for k in range(size):
-        wanted = xp.where(stopped[k] > 0, given[k], solved[k] * scale[k])
-        down, up = low[k] - x[k], high[k] - x[k]
-        within = xp.minimum(xp.maximum(wanted, down), up)
-        leaves = xp.where(stopped[k] > 0, 0.0, xp.where(within < wanted, 1.0, xp.where(within > wanted, 1.0, 0.0)))
-        step.append(within)
-        now.append(stopped[k] + leaves)
-        leaving = leaving + leaves
-    return Step(step, now, leaving)
-
-
 class Proposal(NamedTuple):
-    """Where a step leads, what it promises to take off the objective, and 1 where it is the last one."""
+    """Where a step leads (P, B), what it promises to take off the objective (B,), and why it is the last one: a position in `ENDINGS`, or 0."""
 
-    moved: list[Array]
+    moved: Array
     promised: Array
-    last: Array
-
-
-def proposal(
-    xp: Array,
-    x: Sequence[Array],
-    objective: Array,
-    gradient: Sequence[Array],
-    matrix: Sequence[Array],
-    damping: Array,
-    idle: Array,
-    step: Sequence[Array],
-    low: Sequence[Array],
-    high: Sequence[Array],
-    reduction: Array,
-    noise: Array,
-) -> Proposal:
-    """The point of a step, and whether the lane has converged: the step promises less than `reduction` of the objective, or than `noise`."""
-    size = len(x)
-    moved = [xp.minimum(xp.maximum(x[k] + step[k], low[k]), high[k]) for k in range(size)]
-    delta = [m - v for m, v in zip(moved, x, strict=True)]
-    promised: Array = 0.0
-    for i in range(size):
-        bend = 0.5 * matrix[packed(i, i)] * delta[i]
-        for k in range(i):
-            bend = bend + matrix[packed(i, k)] * delta[k]
-        promised = promised - delta[i] * (gradient[i] + bend)
-    small = promised <= reduction * objective + 1e-3 * noise
-    full = xp.where(damping <= FULL_STEP, 1.0, 0.0)
-    last = xp.where(small, full, 0.0)
-    last = xp.maximum(last, xp.where(promised <= 1e-6 * noise, 1.0, 0.0))
-    last = xp.maximum(last, xp.where(idle >= PATIENCE, 1.0, 0.0))
-    last = xp.maximum(last, xp.where(damping > MOST_DAMPING, 1.0, 0.0))
-    return Proposal(moved, xp.maximum(promised, 0.0), last)
+    ending: Array
 
 
 class Judgement(NamedTuple):
-    """1 where the new point is taken, and the state of the damping."""
+    """1 where the new point is taken, and the state of the damping; all (B,)."""
 
     better: Array
     damping: Array
@@ -178,8 +71,108 @@ class Judgement(NamedTuple):
     idle: Array
 
 
+def held(
+    algebra: Algebra,
+    x: Array,
+    gradient: Array,
+    matrix: Array,
+    low: Array,
+    high: Array,
+    fixed: Array,
+    brightness: Array,
+) -> Array:
+    """1 for what stays as it is in this step: fixed, not seen by the data, or at a bound and pushed out; else 0.
+
+    `brightness` is the weighted sum of squares of the data.
+    """
+    size = algebra.maximum(absolute(algebra, x), 1e-3)
+    unseen = flag(algebra, algebra.less(algebra.diagonal(matrix) * size * size, BLIND * brightness + 1e-300))
+    at_low = algebra.where(algebra.less(low, x), 0.0, flag(algebra, algebra.less(0.0 * gradient, gradient)))
+    at_high = algebra.where(algebra.less(x, high), 0.0, flag(algebra, algebra.less(gradient, 0.0 * gradient)))
+    return algebra.maximum(algebra.maximum(unseen, fixed), algebra.maximum(at_low, at_high))
+
+
+def bounded_step(
+    algebra: Algebra,
+    x: Array,
+    gradient: Array,
+    matrix: Array,
+    damping: Array,
+    low: Array,
+    high: Array,
+    stopped: Array,
+    given: Array,
+) -> Step:
+    """Solve (H + damping diag H) step = -gradient for what is not `stopped`, whose steps are `given`; then stop what leaves the box."""
+    diagonal = algebra.diagonal(matrix)
+    floor = algebra.maximum(1e-20 * algebra.largest(diagonal), 1e-300)
+    scale = 1.0 / algebra.sqrt(algebra.maximum(diagonal, floor))
+    free = 1.0 - stopped
+    against = gradient + algebra.times(matrix, stopped * given)
+    scaled = _with_diagonal(algebra, matrix * outer(scale * free), 1.0 + free * damping)
+    solved = algebra.solve(scaled, -(against * scale * free)) * scale
+    wanted = algebra.where(algebra.less(0.5 + 0.0 * stopped, stopped), given, solved)
+    within = algebra.minimum(algebra.maximum(wanted, low - x), high - x)
+    leaves = free * algebra.maximum(
+        flag(algebra, algebra.less(within, wanted)), flag(algebra, algebra.less(wanted, within))
+    )
+    return Step(within, stopped + leaves, algebra.total(leaves))
+
+
+def _with_diagonal(algebra: Algebra, matrix: Array, diagonal: Array) -> Array:
+    """The matrix with another diagonal."""
+    result = matrix.copy()
+    for k in range(len(result)):
+        result[k, k] = diagonal[k]
+    return result
+
+
+def proposal(
+    algebra: Algebra,
+    x: Array,
+    objective: Array,
+    gradient: Array,
+    matrix: Array,
+    damping: Array,
+    idle: Array,
+    step: Array,
+    low: Array,
+    high: Array,
+    reduction: Array,
+    noise: Array,
+) -> Proposal:
+    """The point of a step, and whether it is the last: see `ENDINGS`.
+
+    `reduction` is the share of the objective that a full step must promise for the fit to go on, `noise` what objectives are
+    rounded to.
+    """
+    moved = algebra.minimum(algebra.maximum(x + step, low), high)
+    delta = moved - x
+    promised = -algebra.total(delta * (gradient + 0.5 * algebra.times(matrix, delta)))
+    full = flag(algebra, algebra.less(damping, FULL_STEP + 0.0 * damping))
+    # Any step is small once it is damped enough: what it promises must be rounding then.
+    nothing = flag(algebra, algebra.less(promised, 1e-13 * objective + 1e-6 * noise))
+    away = algebra.largest(absolute(algebra, delta) / (absolute(algebra, x) + SMALL_STEP))
+    small = flag(algebra, algebra.less(away, SMALL_STEP + 0.0 * away))
+    converged = flag(algebra, algebra.less(promised, reduction * objective + 1e-3 * noise + 1e-300))
+    zero = 0.0 * objective
+    ending = zero
+    for code, condition in (  # the first that holds wins
+        (5.0, flag(algebra, algebra.less(MOST_DAMPING + zero, damping))),
+        (4.0, flag(algebra, algebra.less(PATIENCE - 0.5 + zero, idle))),
+        (
+            3.0,
+            algebra.maximum(small * full, nothing * algebra.maximum(small, flag(algebra, algebra.less(zero, noise)))),
+        ),
+        (2.0, converged * full),
+        (1.0, flag(algebra, algebra.less(objective, PERFECT + zero))),
+    ):
+        ending = algebra.where(algebra.less(0.5 + zero, condition), code, ending)
+    return Proposal(moved, algebra.maximum(promised, zero), ending)
+
+
 def judged(
-    xp: Array,
+    algebra: Algebra,
     objective: Array,
     trial: Array,
     promised: Array,
@@ -190,15 +183,14 @@ def judged(
     noise: Array,
 ) -> Judgement:
     """Whether the objective at the new point, `trial`, is better (NaN is not), and the damping that follows."""
-    gain = (objective - trial + noise) / (promised + noise)
-    better = xp.where(trial < objective + noise, 1.0, 0.0)
-    r = 2 * gain - 1
-    factor = xp.minimum(xp.maximum(1 - r * r * r, 0.2), 2.0)
-    shrunk = objective - trial > 100 * reduction * objective + noise
-    new_damping = xp.maximum(damping * xp.where(better > 0, factor, growth), LEAST_DAMPING)
+    better = flag(algebra, algebra.less(trial, objective + noise))
+    surprise = 2.0 * ((objective - trial + noise) / (promised + noise + 1e-300)) - 1.0
+    factor = algebra.minimum(algebra.maximum(1.0 - surprise * surprise * surprise, 0.2), 2.0)
+    taken = algebra.less(0.5 + 0.0 * better, better)
+    shrunk = algebra.less(HARDLY * reduction * objective + noise, objective - trial)
     return Judgement(
         better,
-        new_damping,
-        xp.where(better > 0, 2.0, 2 * growth),
-        xp.where(better > 0, xp.where(shrunk, 0.0, idle + 1), idle),
+        algebra.maximum(damping * algebra.where(taken, factor, growth), LEAST_DAMPING),
+        algebra.where(taken, FIRST_GROWTH, 2.0 * growth),
+        algebra.where(taken, algebra.where(shrunk, 0.0, idle + 1.0), idle),
     )

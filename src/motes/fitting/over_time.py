@@ -15,14 +15,17 @@ from numpy.typing import ArrayLike, NDArray
 
 from motes import outlets
 from motes.errors import DataError, MotesError
-from motes.fitting.joint import Alternative, Joint, determined, first_guess, select, steady_values
+from motes.fitting.choice import is_auto, summed
+from motes.fitting.joint import Joint
 from motes.fitting.losses import LOSSES, ROBUST, Floats
 from motes.fitting.problem import Problem
 from motes.fitting.result import Fit, Status, Trial, Verdict
 from motes.fitting.scans import ScanFits, fit_scans
 from motes.fitting.setup import prepare
 from motes.fitting.solver import Solution
-from motes.fitting.uncertainty import judged
+from motes.fitting.static import fit_scan
+from motes.fitting.trend_choice import Alternative, determined, first_guess, select, steady_values
+from motes.fitting.uncertainty import uncertainty, verdict_of
 from motes.material import Material
 from motes.measurements import Measurement
 from motes.models import BRDF, Lambert, describe, layer_of
@@ -187,7 +190,7 @@ def fit_over_time(
             "Fit the one scan with time=",
         )
     tried: tuple[Trial, ...] = ()
-    if isinstance(model, str) and model.strip() == "auto":
+    if is_auto(model):
         say(0, 100, "choosing the model")
         model, tried = _choose(data, usable, loss, robust, weights, fixed, per_channel)
     setup = prepare(data, model, loss, weights, fixed, frozenset(per_channel))
@@ -234,31 +237,16 @@ def _choose(
     per_channel: Collection[str],
 ) -> tuple[str, tuple[Trial, ...]]:
     """The candidate with the smallest BIC over the first, the middle and the last scan together."""
-    from motes.fitting.static import fit
-
     looked_at = sorted({int(usable[0]), int(usable[len(usable) // 2]), int(usable[-1])})
-    by_model: dict[str, list[Trial]] = {}
-    for t in looked_at:
-        single = fit(
-            data, "auto", loss=loss, robust=robust, weights=weights, fixed=fixed, per_channel=per_channel, time=t
-        )
-        for trial in single.tried:
-            by_model.setdefault(trial.model, []).append(trial)
-    complete = {name: trials for name, trials in by_model.items() if len(trials) == len(looked_at)}
-    total = {name: sum(t.bic for t in trials) for name, trials in complete.items()}
-    best = min(total, key=lambda name: total[name])
-    summed = tuple(
-        replace(
-            trials[0],
-            bic=total[name],
-            objective=sum(t.objective for t in trials),
-            relative_rms=float(np.mean([t.relative_rms for t in trials])),
-            n_samples=sum(t.n_samples for t in trials),
-            chosen=name == best,
-        )
-        for name, trials in complete.items()
+    trials = summed(
+        [
+            fit_scan(
+                data.at(t), "auto", loss=loss, robust=robust, weights=weights, fixed=fixed, per_channel=per_channel
+            ).tried
+            for t in looked_at
+        ]
     )
-    return best, summed
+    return next(trial.model for trial in trials if trial.chosen), trials
 
 
 def _residuals(problem: Problem, scan: int, x: Floats) -> Floats:
@@ -354,7 +342,7 @@ def _result(
     started: float,
 ) -> TimeFit:
     c = solution.x[0]
-    covariance = joint.covariance(c)
+    covariance = uncertainty(joint, c).covariance
     hours = np.asarray(data.times, float)
     results: dict[str, TrendFit] = {}
     for part, where in zip(joint.parts, joint.slices(), strict=True):
@@ -369,7 +357,7 @@ def _result(
             trend,
             _trend_verdict(joint, part.kind, p, values, stderr),
             tuple(alternatives[q.name]),
-            fits.x[:, q.where],
+            q.value(fits.x[:, q.where]),
             fits.stderr[:, q.where],
             p.symbol,
             p.unit,
@@ -438,7 +426,7 @@ def _trend_verdict(joint: Joint, kind: str, p: Any, values: Floats, stderr: Floa
         return Verdict.IDENTIFIED
     # The best-determined moment decides: a highlight that fades is still known from when it was there.
     k = np.unravel_index(np.nanargmin(np.where(stderr > 0, stderr, np.nan)), stderr.shape)
-    return judged(
+    return verdict_of(
         p, float(np.broadcast_to(values, np.broadcast_shapes(values.shape, stderr.shape))[k]), float(stderr[k])
     )
 

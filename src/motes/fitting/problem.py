@@ -14,7 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes import workers
+from motes.fitting.columns import Columns, columns_of
 from motes.fitting.losses import Floats, Loss, Robust
+from motes.fitting.solver import Normal, Solution, minimize
 from motes.kernels.numpy import FitFunction, residual_function
 from motes.models import BRDF
 from motes.parameters import Parameter
@@ -32,13 +34,19 @@ class Quantity(NamedTuple):
     per_channel: bool
     where: slice
 
+    @property
+    def bounds(self) -> tuple[float, float]:
+        """What a fit searches, in the coordinate that it moves in."""
+        low, high = self.parameter.fit_bounds
+        return (low * low, high * high) if self.parameter.squared else (low, high)
 
-class Normal(NamedTuple):
-    """Half the (robust) sum of squares (B,), its gradient (B, P), and the Gauss-Newton matrix (B, P, P)."""
+    def coordinate(self, value: Floats) -> Floats:
+        """What a fit moves in: the parameter, or its square where the model depends on nothing else."""
+        return np.square(value) if self.parameter.squared else np.asarray(value, float)
 
-    objective: Floats
-    gradient: Floats
-    matrix: Floats
+    def value(self, coordinate: Floats) -> Floats:
+        """The parameter back from its coordinate."""
+        return np.sqrt(np.maximum(coordinate, 0.0)) if self.parameter.squared else np.asarray(coordinate, float)
 
 
 @dataclass(frozen=True)
@@ -50,7 +58,7 @@ class Problem:
     model
         The form of the BRDF.
     quantities
-        What is fitted, in the order of the parameter vector (P,).
+        What is fitted, in the order of the parameter vector (P,), each in its coordinate (`Quantity.coordinate`).
     fixed
         Values of the other parameters, to broadcast against (B, N, C).
     wi, wo
@@ -79,7 +87,8 @@ class Problem:
     _roots: Floats = field(init=False)
 
     def __post_init__(self) -> None:
-        function = residual_function(self.model, [q.name for q in self.quantities], horizon=False)
+        squared = [q.name for q in self.quantities if q.parameter.squared]
+        function = residual_function(self.model, [q.name for q in self.quantities], horizon=False, squared=squared)
         cosines = np.ascontiguousarray(self.wi[:, 2:3])
         for name, value in (
             ("_function", function),
@@ -106,11 +115,62 @@ class Problem:
 
     @property
     def bounds(self) -> tuple[Floats, Floats]:
-        """Lower and upper bounds (P,) of a fit."""
-        spans = [(q.parameter.fit_bounds, q.where.stop - q.where.start) for q in self.quantities]
+        """Lower and upper bounds (P,) of a fit, in its coordinates."""
+        spans = [(q.bounds, q.where.stop - q.where.start) for q in self.quantities]
         low = [b[0] for b, n in spans for _ in range(n)]
         high = [b[1] for b, n in spans for _ in range(n)]
         return np.array(low, float), np.array(high, float)
+
+    @property
+    def columns(self) -> Columns:
+        """What is known of the parameters beforehand."""
+        declared = [q.parameter for q in self.quantities for _ in range(q.where.stop - q.where.start)]
+        return columns_of(declared, *self.bounds)
+
+    @property
+    def groups(self) -> list[slice]:
+        """The columns of each parameter."""
+        return [q.where for q in self.quantities]
+
+    def brightness(self, sets: NDArray[np.intp] | None = None) -> Floats:
+        """The weighted sums of squares of the data (T,), or those of some data sets; of one data set (1,)."""
+        squares = np.square(self._roots * self._targets).sum(axis=(-2, -1))
+        return np.atleast_1d(squares) if sets is None else np.atleast_1d(squares)[sets]
+
+    def solve(
+        self,
+        starts: Floats,
+        *,
+        sets: NDArray[np.intp] | None = None,
+        held: NDArray[np.bool_] | None = None,
+        reduction: float = 1e-10,
+        max_iterations: int = 200,
+    ) -> Solution:
+        """Minimise from each of `starts` (B, P); see `motes.fitting.solver.minimize`."""
+        low, high = self.bounds
+        if sets is None:
+            bright = float(self.brightness().sum())
+            return minimize(
+                self.normal,
+                starts,
+                low,
+                high,
+                held=held,
+                brightness=bright,
+                reduction=reduction,
+                max_iterations=max_iterations,
+            )
+        return minimize(
+            self.normal,
+            starts,
+            low,
+            high,
+            held=held,
+            sets=sets,
+            brightness=self.brightness(sets),
+            reduction=reduction,
+            max_iterations=max_iterations,
+        )
 
     def labels(self, channels: tuple[str, ...]) -> tuple[str, ...]:
         """A name for each fitted value: ``K_d[R]``, ``sigma_d``."""

@@ -106,9 +106,9 @@ class Fit:
         The fitted material; ``fit.material.brdf`` is the BRDF.
     parameters
         By name, in the order of the model.
-    labels, correlations
-        Names of the free quantities (``K_d[R]``, ``sigma_d``, ...) and their correlation matrix (P, P); NaN rows where
-        undetermined.
+    labels, correlations, covariance
+        Names of the free quantities (``K_d[R]``, ``sigma_d``, ...), their correlation and covariance matrices (P, P); NaN
+        rows where undetermined.
     metrics
         ``relative_rms`` = RMS(f - r)/RMS(r), unweighted, over unmasked samples; ``rms_plain``, ``rms_linear``,
         ``rms_log``, ``rms_cube_root``: root mean squares of the residuals of each loss; ``objective`` (half the
@@ -135,6 +135,7 @@ class Fit:
     parameters: dict[str, FittedParameter]
     labels: tuple[str, ...]
     correlations: NDArray[np.float64]
+    covariance: NDArray[np.float64]
     metrics: dict[str, float]
     status: Status
     tried: tuple[Trial, ...]

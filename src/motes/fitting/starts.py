@@ -14,7 +14,6 @@ import numpy as np
 
 from motes.fitting.losses import Floats
 from motes.fitting.problem import Problem, Quantity
-from motes.fitting.solver import minimize
 from motes.parameters import Role
 
 SEARCH_SAMPLES = 600
@@ -33,13 +32,12 @@ def starting_points(problem: Problem, given: Floats | None, most: int) -> Floats
         A vector (P,) of the user's, tried as well.
     """
     grey, brightness = _grey(problem)
-    low, high = grey.bounds
     grid = _grid(grey)
     gridded = np.array([bool(q.parameter.starts) for q in grey.quantities])
-    coarse = minimize(grey.normal, grid, low, high, held=gridded, max_iterations=6)
+    coarse = grey.solve(grid, held=gridded, max_iterations=6)
     order = np.argsort(coarse.normal.objective, kind="stable")
     chosen = coarse.x[_spread_out(coarse.x, order, gridded)]
-    fine = minimize(grey.normal, chosen, low, high, max_iterations=60, reduction=1e-6)
+    fine = grey.solve(chosen, max_iterations=60, reduction=1e-6)
     ends = fine.x[np.argsort(fine.normal.objective, kind="stable")]
     distinct = [ends[0]]
     for end in ends[1:]:
@@ -64,7 +62,7 @@ def _grid(grey: Problem) -> Floats:
     axes = []
     for q in grey.quantities:
         starts = q.parameter.starts
-        axes.append(starts or (_bright_start(grey, q),))
+        axes.append(tuple(float(q.coordinate(np.array(s))) for s in starts) or (_bright_start(grey, q),))
     # Many Fresnel and dust parameters at once: take every second start of the longest axis until the grid is
     # affordable.
     while np.prod([len(a) for a in axes]) > LARGEST_GRID:
@@ -76,10 +74,9 @@ def _grid(grey: Problem) -> Floats:
 def _bright_start(grey: Problem, q: Quantity) -> float:
     """A first value for a parameter that enters almost linearly: about the brightness of the data."""
     mean = float(np.average(grey.values, weights=grey.weights))
-    low, high = q.parameter.fit_bounds
-    return float(
-        np.clip(np.pi * mean if q.parameter.role is Role.DIFFUSE_COLOUR else q.parameter.default, low, min(high, 1e6))
-    )
+    low, high = q.bounds
+    default = float(q.coordinate(np.array(q.parameter.default)))
+    return float(np.clip(np.pi * mean if q.parameter.role is Role.DIFFUSE_COLOUR else default, low, min(high, 1e6)))
 
 
 def _grey(problem: Problem) -> tuple[Problem, Floats]:

@@ -1,4 +1,4 @@
-"""`fit`: one set of parameters for a measurement at one time."""
+"""One set of parameters for a measurement at one time."""
 
 from __future__ import annotations
 
@@ -7,175 +7,66 @@ import time as clock
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from motes.directions import HALF_PI
-from motes.errors import DataError, MotesError
-from motes.fitting.losses import LOSSES, ROBUST, Floats, loss_named, robust_named
+from motes.errors import DataError
+from motes.fitting.choice import CANDIDATES, best_of, bic, check_names, is_auto
+from motes.fitting.losses import LOSSES, ROBUST, Floats
 from motes.fitting.problem import Problem
 from motes.fitting.result import Fit, FittedParameter, Status, Trial, Verdict
 from motes.fitting.setup import prepare, sample_weights
-from motes.fitting.solver import Solution, minimize
+from motes.fitting.solver import Solution
 from motes.fitting.starts import starting_points
 from motes.fitting.uncertainty import uncertainty
 from motes.material import Material
 from motes.measurements import Measurement
-from motes.models import BRDF, describe, parse
+from motes.models import BRDF, describe
 
-if TYPE_CHECKING:
-    from motes.fitting.over_time import TimeFit
-
-#: What ``model="auto"`` compares.
-CANDIDATES = (
-    "lambert",
-    "oren_nayar",
-    "oren_nayar + torrance_sparrow",
-    "dust_layer(oren_nayar + torrance_sparrow)",
-)
 #: With more than three times as many samples, candidates are compared on this many.
 COMPARED_SAMPLES = 200_000
-# Residuals below this share of the data are rounding, not noise.
-NOISE_FLOOR = 1e-6
 Progress = Callable[[int, int, str], None]
 
 
-def fit(
+def fit_scan(
     data: Measurement,
-    model: str | BRDF = "auto",
+    model: str | BRDF,
     *,
-    loss: str = "linear",
-    robust: str = "none",
-    weights: str | ArrayLike = "measurement",
-    fixed: Collection[str] | Mapping[str, Any] = (),
-    per_channel: Collection[str] = (),
-    max_theta: float | None = None,
-    time: int | None = None,
-    trends: str | Mapping[str, str] = "auto",
+    loss: str,
+    robust: str,
+    weights: str | ArrayLike,
+    fixed: Collection[str] | Mapping[str, Any],
+    per_channel: Collection[str],
     progress: Progress | None = None,
-) -> Fit | TimeFit:
-    """Fit a model to measured reflectance by bounded least squares.
-
-    A measurement with one time gives a `Fit`.  One with several gives a `TimeFit`: every scan is fitted, and trends of the
-    parameters over all scans together; ``time=`` picks one scan instead.
-
-    Parameters
-    ----------
-    data
-        The measurement; masked samples are left out.
-    model
-        Text such as ``"oren_nayar + torrance_sparrow"`` (values given in it are held, see `motes.models.parse`), a BRDF
-        (the fit also starts from its values), or ``"auto"``: the candidate with the smallest BIC.
-    loss
-        ``"linear"``, ``"plain"``, ``"log"`` or ``"cube_root"``; see `motes.fitting.losses`.
-    robust
-        ``"none"``, ``"soft_l1"``, ``"huber"`` or ``"cauchy"``: how far-off samples count less.  The noise is taken from
-        the median residual of a plain fit.
-    weights
-        ``"measurement"`` for the weights that come with the data (solid angles, where the format has them),
-        ``"uniform"``, or an array (N,) or (N, C).
-    fixed
-        Parameters to hold: names (at the model's values), or a mapping of names to values.
-    per_channel
-        Parameters to fit for each channel that are shared otherwise: ``["K_s"]`` for a coloured highlight (metals).
-    max_theta
-        Leave out samples with theta_i or theta_r beyond this [rad]; goniometers are least sure there (Ngan et al. 2005
-        stopped at 80 degrees).
-    time
-        Which of the measurement's times to fit alone; None for all of them, with trends.
-    trends
-        For several times: ``"auto"`` chooses the kind of trend of each parameter by BIC; a mapping of names to kinds
-        (`motes.trends.KINDS`) settles those.
-    progress
-        Called with (done, total, what).
-
-    Returns
-    -------
-    Fit, or TimeFit for several times
-
-    Raises
-    ------
-    DataError
-        When fewer samples are left than parameters, or the data have no such time.
-    ParameterError
-        When the model or a name in it is not known.
-    """
+) -> Fit:
+    """Fit a measurement with one time; arguments as for `motes.fit`, and checked there."""
     started = clock.perf_counter()
-    if not isinstance(data, Measurement):
-        raise DataError(
-            f"a {type(data).__name__} cannot be fitted: it is not a Measurement",
-            "motes.read(path) or Measurement.from_arrays makes one",
-        )
-    if time is not None and not 0 <= time < data.n_times:
-        raise DataError(
-            f"time {time} is outside 0..{data.n_times - 1}: the measurement has {data.n_times} time(s)",
-            "Choose one with time=",
-        )
-    if time is not None and data.n_times > 1:
-        data = data.at(time)
-    if max_theta is not None:
-        if not 0 < max_theta <= HALF_PI:
-            raise DataError(
-                f"max_theta = {max_theta:.4g} is outside (0, 1.571] rad",
-                f"{max_theta:.4g} degrees is {math.radians(max_theta):.3f} rad",
-            )
-        within = np.minimum(data.wi[:, 2], data.wo[:, 2]) >= math.cos(max_theta)
-        data = data.with_mask(within[None, :, None], f"theta beyond {math.degrees(max_theta):.3g} degrees")
-    loss_named(loss), robust_named(robust)
-    # One name is a name, not its letters.
-    fixed = (fixed,) if isinstance(fixed, str) else fixed
-    per_channel = (per_channel,) if isinstance(per_channel, str) else per_channel
-    if data.n_times > 1:
-        from motes.fitting.over_time import fit_over_time
-
-        return fit_over_time(
-            data,
-            model,
-            loss=loss,
-            robust=robust,
-            weights=weights,
-            fixed=fixed,
-            per_channel=per_channel,
-            trends=trends,
-            progress=progress,
-        )
-    texts: tuple[str | BRDF, ...] = CANDIDATES if isinstance(model, str) and model.strip() == "auto" else (model,)
-    if len(texts) > 1:
-        names = {slot.name: None for text in CANDIDATES for slot in parse(text).model.slots()}
-        for name in (*fixed, *per_channel):
-            if name not in names:
-                raise MotesError(f"no model that auto tries has a parameter {name!r}", f"They have {', '.join(names)}")
+    auto = is_auto(model)
+    texts: tuple[str | BRDF, ...] = CANDIDATES if auto else (model,)
+    if auto:
+        check_names((*fixed, *per_channel))
     # Candidates are compared on a part of large data; the chosen one is then fitted to all.
     compared, compared_weights = data, weights
-    if len(texts) > 1 and data.n_directions * data.n_channels > 3 * COMPARED_SAMPLES:
+    if auto and data.n_directions * data.n_channels > 3 * COMPARED_SAMPLES:
         rows = _even_rows(data.n_directions, COMPARED_SAMPLES // data.n_channels)
         compared = data.select(rows)
         if not isinstance(weights, str):
             sample_weights(data, weights)  # complains of a wrong shape before rows are taken
             compared_weights = np.asarray(weights, float)[rows]
-    best: _Attempt | None = None
-    trials: list[Trial] = []
-    too_few: DataError | None = None
     steps = len(texts) + (compared is not data)
-    for k, candidate in enumerate(texts):
+    done = 0
+
+    def attempt(candidate: str | BRDF) -> _Attempt:
+        nonlocal done
         if progress:
-            progress(k, steps, candidate if isinstance(candidate, str) else describe(candidate))
-        try:
-            attempt = _Attempt(
-                compared, candidate, loss, robust, compared_weights, fixed, frozenset(per_channel), len(texts) > 1
-            )
-        except DataError as error:
-            too_few = too_few or error
-            continue
-        trials.append(attempt.trial())
-        if best is None or attempt.bic < best.bic:
-            best = attempt  # the others are let go: their arrays are as large as the data
-    if best is None:
-        assert too_few is not None
-        raise too_few
-    tried = tuple(replace(trial, chosen=trial.bic == best.bic) for trial in trials)
+            progress(done, steps, candidate if isinstance(candidate, str) else describe(candidate))
+        done += 1
+        names = frozenset(per_channel)
+        return _Attempt(compared, candidate, loss, robust, compared_weights, fixed, names, auto)
+
+    best, tried = best_of(texts, attempt)
     if compared is not data:
         if progress:
             progress(len(texts), steps, f"{describe(best.brdf)}, all samples")
@@ -216,13 +107,9 @@ class _Attempt:
             )
         self.solution = self._solve(self._vector(start) if start else None, near)
         self.x = self.solution.x[self.solution.best()]
-        n = self.problem.samples
-        objective = float(self.solution.normal.objective.min())
-        self.objective = objective
-        # Noise-free data leave residuals of rounding, whose size says nothing: none counts as below NOISE_FLOOR.
-        brightness = float(np.sum((self.problem._roots * self.problem._targets) ** 2)) / n
-        variance = max(2 * objective / n, NOISE_FLOOR**2 * brightness)
-        self.bic = n * math.log(variance) + self.problem.size * math.log(n)
+        self.objective = float(self.solution.normal.objective.min())
+        bright = float(self.problem.brightness().sum())
+        self.bic = bic(self.objective, self.problem.samples, self.problem.size, bright)
         self.predicted = self._predicted()
 
     def _vector(self, start: BRDF) -> Floats | None:
@@ -232,13 +119,12 @@ class _Attempt:
             value = np.asarray(values[q.name], float)
             if value.ndim and not (q.per_channel and value.shape in ((1,), (self.problem.channels,))):
                 value = value.mean()
-            x[q.where] = value
+            x[q.where] = q.coordinate(value)
         return x
 
     def _solve(self, given: Floats | None, near: Floats | None) -> Solution:
         """From the best of many starts, or from the solution on a part of the data, `near`."""
         problem = self.problem
-        low, high = problem.bounds
         work = len(problem.wi) * problem.channels
         # A relative change of the objective of 1/work moves the parameters by about a standard error.
         reduction = min(1e-8, 1e-2 / work) if work > COMPARED_SAMPLES else 1e-10
@@ -250,18 +136,18 @@ class _Attempt:
             # parts first.
             for samples, most in ((20_000, 3), (COMPARED_SAMPLES, 1)):
                 if work > 3 * samples:
-                    rough = minimize(self._part(samples).normal, starts, low, high, max_iterations=60, reduction=1e-7)
+                    rough = self._part(samples).solve(starts, max_iterations=60, reduction=1e-7)
                     starts = rough.x[np.argsort(rough.normal.objective, kind="stable")[:most]]
-        solution = minimize(problem.normal, starts, low, high, reduction=reduction)
+        solution = problem.solve(starts, reduction=reduction)
         if self.robust != "none":
             residual = problem.residuals(solution.x[solution.best()])[problem.weights > 0]
             scale = 1.4826 * float(np.median(np.abs(residual - np.median(residual))))
             scale = max(scale, 1e-12)
             starts = np.concatenate([solution.x, starts])
             # The mild function has no valleys of its own; from its ends cauchy does not stop in one of its many.
-            mild = minimize(problem.with_scale(ROBUST["soft_l1"], scale).normal, starts, low, high)
+            mild = problem.with_scale(ROBUST["soft_l1"], scale).solve(starts)
             self.problem = problem.with_scale(ROBUST[self.robust], scale)
-            solution = minimize(self.problem.normal, np.concatenate([mild.x, starts]), low, high)
+            solution = self.problem.solve(np.concatenate([mild.x, starts]))
         return solution
 
     def _part(self, samples: int) -> Problem:
@@ -327,7 +213,8 @@ class _Attempt:
 
     def fitted_brdf(self) -> BRDF:
         values = {
-            q.name: (self.x[q.where] if q.per_channel else float(self.x[q.where][0])) for q in self.problem.quantities
+            q.name: (q.value(self.x[q.where]) if q.per_channel else float(q.value(self.x[q.where])[0]))
+            for q in self.problem.quantities
         }
         return self.brdf.with_parameters(values)
 
@@ -367,6 +254,7 @@ class _Attempt:
             parameters=parameters,
             labels=self.problem.labels(data.channels),
             correlations=errors.correlations,
+            covariance=errors.covariance,
             metrics=metrics,
             status=self.status,
             tried=tried,

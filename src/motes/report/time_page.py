@@ -114,6 +114,7 @@ def _moment(fit: TimeFit, index: int) -> Fit:
         parameters={},
         labels=(),
         correlations=np.zeros((0, 0)),
+        covariance=np.zeros((0, 0)),
         metrics=dict(fit.metrics),
         status=fit.status,
         tried=fit.tried,

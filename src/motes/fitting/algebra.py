@@ -1,0 +1,119 @@
+"""What the steps of a fit are written in, so that the same text runs over NumPy and is printed into kernels.
+
+Many fits of one kind advance side by side, a *lane* each.  A vector has the parameters on its first axis and the lanes on
+the last: (P, B) for NumPy, (P,) formulas where a kernel is printed, whose lanes are the vector registers.  What is one
+number a lane is (B,), or (1,) formulas.  Nothing branches from lane to lane: conditions are values (1.0 for true), chosen
+with `where`.  Arithmetic is written with operators; the rest goes through an `Algebra`.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Protocol
+
+import numpy as np
+
+from motes.arrays import Array
+
+# Pivots of a correlation matrix below this are rounding.
+LEAST_PIVOT = 1e-13
+
+
+class Algebra(Protocol):
+    """Operations over lanes; matrices are (P, P, B), or (P, P) formulas, and symmetric."""
+
+    def less(self, a: Array, b: Array) -> Array:
+        """Conditions a < b, for `where`; false where either is NaN."""
+
+    def where(self, condition: Array, a: Array, b: Array) -> Array: ...
+
+    def maximum(self, a: Array, b: Array) -> Array: ...
+
+    def minimum(self, a: Array, b: Array) -> Array: ...
+
+    def sqrt(self, a: Array) -> Array: ...
+
+    def total(self, vector: Array) -> Array:
+        """The sum over the parameters: (P, B) to (B,)."""
+
+    def largest(self, vector: Array) -> Array:
+        """The largest over the parameters."""
+
+    def diagonal(self, matrix: Array) -> Array:
+        """(P, P, B) to (P, B)."""
+
+    def times(self, matrix: Array, vector: Array) -> Array:
+        """The product of a matrix and a vector."""
+
+    def solve(self, matrix: Array, right: Array) -> Array:
+        """The solution of matrix solution = right, for a positive matrix with a diagonal of about 1."""
+
+    def inverse(self, matrix: Array) -> Array:
+        """The inverse of a positive matrix with a diagonal of 1; where it is singular, of size 1/`LEAST_PIVOT` along what is missing."""
+
+    def sandwich(self, inverse: Array, middle: Array) -> Array:
+        """inverse middle inverse."""
+
+
+def absolute(algebra: Algebra, a: Array) -> Array:
+    """|a|."""
+    return algebra.maximum(a, -a)
+
+
+def flag(algebra: Algebra, condition: Array) -> Array:
+    """A condition as 1.0 or 0.0."""
+    return algebra.where(condition, 1.0, 0.0)
+
+
+def outer(vector: Array) -> Array:
+    """The matrix of all products of two entries."""
+    return vector[:, None] * vector[None, :]
+
+
+class Arrays:
+    """The algebra of NumPy arrays; LAPACK solves."""
+
+    less = staticmethod(np.less)
+    where = staticmethod(np.where)
+    maximum = staticmethod(np.maximum)
+    minimum = staticmethod(np.minimum)
+    sqrt = staticmethod(np.sqrt)
+
+    def total(self, vector: Array) -> Array:
+        return vector.sum(axis=0)
+
+    def largest(self, vector: Array) -> Array:
+        return vector.max(axis=0, initial=0.0)
+
+    def diagonal(self, matrix: Array) -> Array:
+        return np.einsum("ppb->pb", matrix)
+
+    def times(self, matrix: Array, vector: Array) -> Array:
+        return np.einsum("pqb,qb->pb", matrix, vector)
+
+    def solve(self, matrix: Array, right: Array) -> Array:
+        matrices, rights = np.moveaxis(matrix, 2, 0), np.moveaxis(right, 1, 0)
+        try:
+            solved: Any = np.linalg.solve(matrices, rights[..., None])[..., 0]
+        except np.linalg.LinAlgError:  # exactly singular, or not finite: the smallest solution
+            solved = np.stack([_smallest(a, b) for a, b in zip(matrices, rights, strict=True)])
+        solved = np.where(np.isfinite(solved), solved, rights)
+        return np.moveaxis(solved, 0, 1)
+
+    def inverse(self, matrix: Array) -> Array:
+        size = len(matrix)
+        ridge = LEAST_PIVOT * np.eye(size)
+        finite = np.nan_to_num(np.moveaxis(matrix, 2, 0), posinf=0.0, neginf=0.0) + ridge
+        return np.moveaxis(np.linalg.pinv(finite, rcond=1e-16, hermitian=True), 0, 2)
+
+    def sandwich(self, inverse: Array, middle: Array) -> Array:
+        i, m = np.moveaxis(inverse, 2, 0), np.moveaxis(middle, 2, 0)
+        return np.moveaxis(i @ m @ i, 0, 2)
+
+
+def _smallest(matrix: Array, right: Array) -> Array:
+    if not (np.isfinite(matrix).all() and np.isfinite(right).all()):
+        return np.full(len(right), np.nan)
+    return np.linalg.lstsq(matrix, right, rcond=1e-12)[0]
+
+
+ARRAYS = Arrays()

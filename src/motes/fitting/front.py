@@ -1,0 +1,129 @@
+"""`motes.fit`: the way into fits of measurements."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Collection, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from motes.directions import HALF_PI
+from motes.errors import DataError
+from motes.fitting.losses import loss_named, robust_named
+from motes.fitting.over_time import TimeFit, fit_over_time
+from motes.fitting.result import Fit
+from motes.fitting.static import fit_scan
+from motes.measurements import Measurement
+from motes.models import BRDF
+
+Progress = Callable[[int, int, str], None]
+
+
+def fit(
+    data: Measurement,
+    model: str | BRDF = "auto",
+    *,
+    loss: str = "linear",
+    robust: str = "none",
+    weights: str | ArrayLike = "measurement",
+    fixed: Collection[str] | Mapping[str, Any] = (),
+    per_channel: Collection[str] = (),
+    max_theta: float | None = None,
+    time: int | None = None,
+    trends: str | Mapping[str, str] = "auto",
+    progress: Progress | None = None,
+) -> Fit | TimeFit:
+    """Fit a model to measured reflectance by bounded least squares.
+
+    A measurement with one time gives a `Fit`.  One with several gives a `TimeFit`: every scan is fitted, and trends of the
+    parameters over all scans together; ``time=`` picks one scan instead.
+
+    Parameters
+    ----------
+    data
+        The measurement; masked samples are left out.
+    model
+        Text such as ``"oren_nayar + torrance_sparrow"`` (values given in it are held, see `motes.models.parse`), a BRDF
+        (the fit also starts from its values), or ``"auto"``: the candidate with the smallest BIC.
+    loss
+        ``"linear"``, ``"plain"``, ``"log"`` or ``"cube_root"``; see `motes.fitting.losses`.
+    robust
+        ``"none"``, ``"soft_l1"``, ``"huber"`` or ``"cauchy"``: how far-off samples count less.  The noise is taken from
+        the median residual of a plain fit.
+    weights
+        ``"measurement"`` for the weights that come with the data (solid angles, where the format has them),
+        ``"uniform"``, or an array (N,) or (N, C).
+    fixed
+        Parameters to hold: names (at the model's values), or a mapping of names to values.
+    per_channel
+        Parameters to fit for each channel that are shared otherwise: ``["K_s"]`` for a coloured highlight (metals).
+    max_theta
+        Leave out samples with theta_i or theta_r beyond this [rad]; goniometers are least sure there (Ngan et al. 2005
+        stopped at 80 degrees).
+    time
+        Which of the measurement's times to fit alone; None for all of them, with trends.
+    trends
+        For several times: ``"auto"`` chooses the kind of trend of each parameter by BIC; a mapping of names to kinds
+        (`motes.trends.KINDS`) settles those.
+    progress
+        Called with (done, total, what).
+
+    Returns
+    -------
+    Fit, or TimeFit for several times
+
+    Raises
+    ------
+    DataError
+        When fewer samples are left than parameters, or the data have no such time.
+    ParameterError
+        When the model or a name in it is not known.
+    """
+    if not isinstance(data, Measurement):
+        raise DataError(
+            f"a {type(data).__name__} cannot be fitted: it is not a Measurement",
+            "motes.read(path) or Measurement.from_arrays makes one",
+        )
+    if time is not None and not 0 <= time < data.n_times:
+        raise DataError(
+            f"time {time} is outside 0..{data.n_times - 1}: the measurement has {data.n_times} time(s)",
+            "Choose one with time=",
+        )
+    if time is not None and data.n_times > 1:
+        data = data.at(time)
+    if max_theta is not None:
+        if not 0 < max_theta <= HALF_PI:
+            raise DataError(
+                f"max_theta = {max_theta:.4g} is outside (0, 1.571] rad",
+                f"{max_theta:.4g} degrees is {math.radians(max_theta):.3f} rad",
+            )
+        within = np.minimum(data.wi[:, 2], data.wo[:, 2]) >= math.cos(max_theta)
+        data = data.with_mask(within[None, :, None], f"theta beyond {math.degrees(max_theta):.3g} degrees")
+    loss_named(loss), robust_named(robust)
+    # One name is a name, not its letters.
+    fixed = (fixed,) if isinstance(fixed, str) else fixed
+    per_channel = (per_channel,) if isinstance(per_channel, str) else per_channel
+    if data.n_times > 1:
+        return fit_over_time(
+            data,
+            model,
+            loss=loss,
+            robust=robust,
+            weights=weights,
+            fixed=fixed,
+            per_channel=per_channel,
+            trends=trends,
+            progress=progress,
+        )
+    return fit_scan(
+        data,
+        model,
+        loss=loss,
+        robust=robust,
+        weights=weights,
+        fixed=fixed,
+        per_channel=per_channel,
+        progress=progress,
+    )
