@@ -138,6 +138,7 @@ def test_losses_and_robust_functions_are_passed_on(motes: Run, rock: Path) -> No
 
 
 def test_fit_says_when_it_did_not_converge(motes: Run, rock: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from motes.fitting import problem
 
     real = problem.minimize
     monkeypatch.setattr(problem, "minimize", lambda *a, **k: real(*a, **{**k, "max_iterations": 1}))

@@ -296,9 +296,7 @@ def test_layout_labels_and_bounds() -> None:
 
 def test_predicted_is_eval() -> None:
     built, x = make()
-    values = {
-        q.name: q.value(x[q.where]) if q.per_channel else float(q.value(x[q.where])[0]) for q in built.quantities
-    }
+    values = {q.name: q.value(x[q.where]) if q.per_channel else float(q.value(x[q.where])[0]) for q in built.quantities}
     brdf = built.model.with_parameters(values)
     np.testing.assert_allclose(built.predicted(x), brdf.eval(built.wi, built.wo), rtol=1e-10)
     assert isinstance(brdf, motes.DustLayer)
