@@ -8,7 +8,8 @@ import numpy as np
 
 from motes.directions import from_spherical
 from motes.drawing.sphere import evaluate
-from motes.fitting.result import Fit, FittedParameter, Status, Trial, Verdict
+from motes.fitting.result import Fit, FittedParameter, Trial
+from motes.fitting.verdicts import Status, Verdict
 from motes.material import Material
 from motes.measurements import Measurement
 from motes.models import BRDF, describe

@@ -15,7 +15,7 @@ import motes
 from fitting_oracle import Oracle, scattered
 from motes.errors import DataError, MotesError, ParameterError
 from motes.fitting import Status, Verdict
-from motes.fitting.tables import with_error
+from motes.fitting.formatting import with_error
 from motes.measurements import Measurement
 
 ON, TS = "oren_nayar", "oren_nayar + torrance_sparrow"

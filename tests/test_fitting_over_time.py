@@ -21,11 +21,12 @@ from fitting_oracle import Formulas
 from motes.ageing import Rig, simulate
 from motes.errors import DataError, MotesError
 from motes.fitting.joint import Joint, Part
-from motes.fitting.over_time import TimeFit
-from motes.fitting.result import Fit, Verdict
+from motes.fitting.result import Fit
 from motes.fitting.scans import fit_scans, single
 from motes.fitting.setup import prepare
+from motes.fitting.time_result import TimeFit
 from motes.fitting.trend_choice import CANDIDATE_KINDS, Profile, determined, survey
+from motes.fitting.verdicts import Verdict
 from motes.material import Material
 from motes.measurements import Measurement
 from motes.models import BRDF, DustLayer, OrenNayar, TorranceSparrow, parse

@@ -7,8 +7,8 @@ import pytest
 from scipy.optimize import least_squares
 
 from fitting_nist import SETS, Dataset
-from motes.fitting.result import Status
 from motes.fitting.solver import Normal, minimize
+from motes.fitting.verdicts import Status
 
 # From NIST's far starting point these three run off to infinity, as they do for other Levenberg-Marquardt codes.
 NEAR_ONLY = {"MGH10", "MGH17", "BoxBOD"}

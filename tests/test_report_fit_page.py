@@ -17,7 +17,8 @@ import motes
 from effort import units
 from motes import Dielectric, Dust, DustLayer, Lambert, MotesError, OrenNayar, TorranceSparrow
 from motes.directions import from_spherical
-from motes.fitting.result import Fit, Status, Verdict
+from motes.fitting.result import Fit
+from motes.fitting.verdicts import Status, Verdict
 from motes.measurements import Measurement
 from motes.report import write_report
 from motes.report.fit_page import render

@@ -14,9 +14,9 @@ import pytest
 import motes
 from effort import units
 from motes import Material, MotesError, OrenNayar, TorranceSparrow
-from motes.fitting.over_time import ScanOutlier, TimeFit
-from motes.fitting.result import Status, Verdict
-from motes.fitting.tables import with_error
+from motes.fitting.formatting import with_error
+from motes.fitting.time_result import ScanOutlier, TimeFit
+from motes.fitting.verdicts import Status, Verdict
 from motes.measurements import Measurement
 from motes.report import write_time_report
 from motes.report.time_page import SECTIONS, changes, render

@@ -10,7 +10,7 @@ from motes.cli.statuses import DONE, NOT_CONVERGED
 
 if TYPE_CHECKING:
     from motes.fitting import Fit
-    from motes.fitting.over_time import TimeFit
+    from motes.fitting.time_result import TimeFit
     from motes.measurements import Measurement
 
 Row = tuple[str, str]
@@ -50,7 +50,7 @@ def fit_and_write(
     from motes.cli import console, paths
     from motes.errors import MissingExtraError
     from motes.fitting import fit
-    from motes.fitting.over_time import TimeFit
+    from motes.fitting.time_result import TimeFit
 
     index, why = _which(measurement, time, kinds or {})
     if index is None:

@@ -15,7 +15,7 @@ from motes.models import BRDF
 
 if TYPE_CHECKING:
     from motes.fitting import Fit
-    from motes.fitting.over_time import TimeFit
+    from motes.fitting.time_result import TimeFit
     from motes.material import Material
     from motes.trends import AnyTrend
 
@@ -136,7 +136,7 @@ def coefficient_table(fit: TimeFit, truth: dict[str, Any]) -> Table:
     table = _table()
     for heading in ("coefficient", "fitted", "unit", "true"):
         table.add_column(heading, justify="right" if heading in ("fitted", "true") else "left")
-    from motes.fitting.tables import with_error
+    from motes.fitting.formatting import with_error
     from motes.trends import KINDS
 
     for name, t in fit.trends.items():

@@ -16,7 +16,7 @@ from typing import NamedTuple
 from motes.arrays import Array
 from motes.fitting.algebra import Algebra, absolute, flag, outer
 from motes.fitting.columns import Columns
-from motes.fitting.result import Verdict
+from motes.fitting.verdicts import Verdict
 
 # A parameter that, moved by the whole of its typical range, changes the residuals by less than this share of the data is
 # not seen.

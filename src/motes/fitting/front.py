@@ -12,9 +12,10 @@ from numpy.typing import ArrayLike
 from motes.directions import HALF_PI
 from motes.errors import DataError
 from motes.fitting.losses import loss_named, robust_named
-from motes.fitting.over_time import TimeFit, fit_over_time
+from motes.fitting.over_time import fit_over_time
 from motes.fitting.result import Fit
 from motes.fitting.static import fit_scan
+from motes.fitting.time_result import TimeFit
 from motes.measurements import Measurement
 from motes.models import BRDF
 

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 from motes.arrays import Array
 from motes.fitting.algebra import Algebra, absolute, flag, outer
-from motes.fitting.result import Status
+from motes.fitting.verdicts import Status
 
 FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 1e-3, 1e-10, 1e12
 FIRST_GROWTH = 2.0

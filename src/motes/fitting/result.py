@@ -1,50 +1,27 @@
-"""`Fit`: what a fit returns: the material, error bars, residuals, and the reasons."""
+"""The family of results: what a fit returns: the material, error bars, residuals, and the reasons."""
 
 from __future__ import annotations
 
+import csv
+import json
 import os
-from dataclasses import dataclass
-from enum import StrEnum
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, final
+from typing import Any, ClassVar, final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from motes import outlets
 from motes.arrays import Array
+from motes.errors import MotesError
+from motes.files import replacing, write_text
+from motes.fitting.formatting import finite, with_error
+from motes.fitting.verdicts import Status, Verdict
 from motes.material import Material
+from motes.measurements import Measurement
 from motes.models import BRDF
-
-if TYPE_CHECKING:
-    from motes.measurements import Measurement
-
-
-class Status(StrEnum):
-    """Why a fit stopped."""
-
-    CONVERGED = "converged: no step makes the residuals smaller"
-    SMALL_STEP = "converged: the parameters no longer move"
-    IDLE = "converged: the residuals hardly shrink any more"
-    PERFECT = "converged: the residuals are zero to rounding"
-    NO_PROGRESS = "stopped: the damping grew without finding a better point"
-    MAX_ITERATIONS = "stopped: the iterations ran out before it converged"
-
-    @property
-    def ok(self) -> bool:
-        """True when it converged."""
-        return self.value.startswith("converged")
-
-
-class Verdict(StrEnum):
-    """What the data say about a parameter."""
-
-    IDENTIFIED = "identified"
-    WEAK = "weakly identified: its error is large, or values far away fit as well"
-    UNIDENTIFIABLE = "unidentifiable: the data do not determine it"
-    AT_LOWER = "at its lower bound"
-    AT_UPPER = "at its upper bound"
-    FIXED = "fixed"
 
 
 @final
@@ -95,20 +72,14 @@ class Trial:
     n_samples: int
 
 
-@final
 @dataclass(frozen=True)
-class Fit:
-    """The result of `motes.fit`.
+class Result:
+    """What every fit of a measurement returns.
 
     Parameters
     ----------
     material
-        The fitted material; ``fit.material.brdf`` is the BRDF.
-    parameters
-        By name, in the order of the model.
-    labels, correlations, covariance
-        Names of the free quantities (``K_d[R]``, ``sigma_d``, ...), their correlation and covariance matrices (P, P); NaN
-        rows where undetermined.
+        The fitted material.
     metrics
         ``relative_rms`` = RMS(f - r)/RMS(r), unweighted, over unmasked samples; ``rms_plain``, ``rms_linear``,
         ``rms_log``, ``rms_cube_root``: root mean squares of the residuals of each loss; ``objective`` (half the
@@ -118,24 +89,18 @@ class Fit:
     tried
         The models compared.
     measurement
-        The data, one time.
+        The data.
     predicted
-        The fitted BRDF at the measured directions (N, C) [1/sr].
+        The fitted BRDF at the measured directions [1/sr].
     loss, robust
         What was minimised.
     model_text
         The model as text.
-    fixed
-        Names of the parameters that were held.
-    iterations, n_starts, seconds
+    iterations, seconds
         The effort.
     """
 
     material: Material
-    parameters: dict[str, FittedParameter]
-    labels: tuple[str, ...]
-    correlations: NDArray[np.float64]
-    covariance: NDArray[np.float64]
     metrics: dict[str, float]
     status: Status
     tried: tuple[Trial, ...]
@@ -145,8 +110,89 @@ class Fit:
     robust: str
     model_text: str
     iterations: int
-    n_starts: int
     seconds: float
+
+    #: What `motes.outlets` calls results of this kind, and the ``format`` of their JSON.
+    kind: ClassVar[str]
+    format: ClassVar[str]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Everything but the arrays over directions, as plain JSON values (NaN becomes None)."""
+        about = {
+            "format": self.format,
+            "version": 1,
+            "model": self.model_text,
+            "loss": self.loss,
+            "robust": self.robust,
+            "status": str(self.status),
+            "converged": self.status.ok,
+        }
+        after = {
+            "metrics": finite(self.metrics),
+            "tried": [finite(asdict(trial) | {"status": str(trial.status)}) for trial in self.tried],
+            "measurement": finite(self.measurement.summary()),
+            "masked": dict(self.measurement.masked),
+            "iterations": self.iterations,
+            "seconds": round(self.seconds, 3),
+        }
+        return about | self.details() | after
+
+    def details(self) -> dict[str, Any]:
+        """What `to_dict` says of this kind of fit alone."""
+        raise NotImplementedError
+
+    def table(self) -> list[dict[str, str]]:
+        """The parameters as rows of text; digits follow the error."""
+        raise NotImplementedError
+
+    def csv_rows(self) -> Iterator[list[str]]:
+        """The rows of ``parameters.csv``, the headings first."""
+        raise NotImplementedError
+
+    def save(self, folder: str | os.PathLike[str]) -> Path:
+        """Write ``material.json``, ``fit.json`` and ``parameters.csv`` into `folder`; returns it."""
+        target = Path(folder)
+        try:
+            target.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise MotesError(
+                f"{target} cannot be made: {error.strerror or error}", "Choose another folder with -o"
+            ) from error
+        self.material.save(target / "material.json")
+        write_text(target / "fit.json", json.dumps(self.to_dict(), indent=1, allow_nan=False) + "\n")
+        with replacing(target / "parameters.csv") as path, path.open("w", newline="", encoding="utf-8") as handle:
+            csv.writer(handle).writerows(self.csv_rows())
+        return target
+
+    def report(self, path: str | os.PathLike[str]) -> Path:
+        """Write a self-contained HTML report; returns its path."""
+        return outlets.report(self.kind, self, path)
+
+
+@final
+@dataclass(frozen=True)
+class Fit(Result):
+    """The result of `motes.fit` for one time; see `Result` for what it shares with others.
+
+    Parameters
+    ----------
+    parameters
+        By name, in the order of the model.
+    labels, correlations, covariance
+        Names of the free quantities (``K_d[R]``, ``sigma_d``, ...), their correlation and covariance matrices (P, P); NaN
+        rows where undetermined.
+    n_starts
+        From how many points the fit started.
+    """
+
+    parameters: dict[str, FittedParameter]
+    labels: tuple[str, ...]
+    correlations: NDArray[np.float64]
+    covariance: NDArray[np.float64]
+    n_starts: int
+
+    kind: ClassVar[str] = "fit"
+    format: ClassVar[str] = "motes fit"
 
     @property
     def brdf(self) -> BRDF:
@@ -159,24 +205,52 @@ class Fit:
         difference = self.predicted - self.measurement.values[0]
         return np.where(self.measurement.mask[0], difference, np.nan)
 
-    def to_dict(self) -> dict[str, Any]:
-        """Everything but the arrays over directions, as plain JSON values (NaN becomes None)."""
-        from motes.fitting.tables import fit_to_dict
-
-        return fit_to_dict(self)
+    def details(self) -> dict[str, Any]:
+        return {
+            "parameters": {
+                p.name: {
+                    "value": finite(p.value),
+                    "stderr": finite(p.stderr),
+                    "unit": p.unit,
+                    "bounds": finite(list(p.bounds)),
+                    "verdicts": [str(v) for v in p.verdicts],
+                    "meaning": p.doc,
+                }
+                for p in self.parameters.values()
+            },
+            "labels": list(self.labels),
+            "correlations": finite(self.correlations),
+            "n_starts": self.n_starts,
+        }
 
     def table(self) -> list[dict[str, str]]:
         """The parameters as rows of text: name, channel, value, stderr, unit, verdict; digits follow the error."""
-        from motes.fitting.tables import parameter_rows
+        rows = []
+        for p, k, value, stderr, verdict in self._cells():
+            text, error = with_error(value, stderr)
+            channel = self.material.channels[k] if np.size(p.value) > 1 else ""
+            rows.append(
+                {
+                    "name": p.name,
+                    "channel": channel,
+                    "value": text,
+                    "stderr": error,
+                    "unit": p.unit,
+                    "verdict": str(verdict),
+                    "meaning": p.doc,
+                }
+            )
+        return rows
 
-        return parameter_rows(self)
+    def csv_rows(self) -> Iterator[list[str]]:
+        yield ["parameter", "channel", "value", "stderr", "unit", "verdict"]
+        for p, k, value, stderr, verdict in self._cells():
+            channel = self.material.channels[k] if np.size(p.value) > 1 else ""
+            yield [p.name, channel, repr(value), repr(stderr), p.unit, str(verdict)]
 
-    def save(self, folder: str | os.PathLike[str]) -> Path:
-        """Write ``material.json``, ``fit.json`` and ``parameters.csv`` into `folder`; returns it."""
-        from motes.fitting.tables import save_fit
-
-        return save_fit(self, folder)
-
-    def report(self, path: str | os.PathLike[str]) -> Path:
-        """Write a self-contained HTML report; returns its path."""
-        return outlets.report("fit", self, path)
+    def _cells(self) -> Iterator[tuple[FittedParameter, int, float, float, Verdict]]:
+        """Each parameter for each channel: its position, value, error and verdict."""
+        for p in self.parameters.values():
+            values, errors = np.atleast_1d(p.value), np.atleast_1d(p.stderr)
+            for k, (value, stderr, verdict) in enumerate(zip(values, errors, p.verdicts, strict=True)):
+                yield p, k, float(value), float(stderr), verdict

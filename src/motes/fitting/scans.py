@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 
 from motes.fitting.losses import Floats
 from motes.fitting.problem import Problem
-from motes.fitting.result import Status, Verdict
 from motes.fitting.solver import Normal
 from motes.fitting.starts import starting_points
 from motes.fitting.uncertainty import uncertainty
+from motes.fitting.verdicts import Status, Verdict
 
 ROUGH_DIRECTIONS = 300
 

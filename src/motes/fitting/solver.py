@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from motes.fitting import levenberg
 from motes.fitting.algebra import ARRAYS
 from motes.fitting.losses import Floats
-from motes.fitting.result import Status
+from motes.fitting.verdicts import Status
 
 
 class Normal(NamedTuple):

@@ -14,13 +14,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from motes.errors import DataError
 from motes.fitting.choice import CANDIDATES, best_of, bic, check_names, is_auto
-from motes.fitting.losses import LOSSES, ROBUST, Floats
+from motes.fitting.losses import ROBUST, Floats
+from motes.fitting.metrics import distances, relative_rms
 from motes.fitting.problem import Problem
-from motes.fitting.result import Fit, FittedParameter, Status, Trial, Verdict
+from motes.fitting.result import Fit, FittedParameter, Trial
 from motes.fitting.setup import prepare, sample_weights
 from motes.fitting.solver import Solution
 from motes.fitting.starts import starting_points
 from motes.fitting.uncertainty import uncertainty
+from motes.fitting.verdicts import Status, Verdict
 from motes.material import Material
 from motes.measurements import Measurement
 from motes.models import BRDF, describe
@@ -181,23 +183,17 @@ class _Attempt:
     def metrics(self) -> dict[str, float]:
         mask = self.data.mask[0]
         cosines = np.broadcast_to(self.data.wi[:, 2:3], mask.shape)[mask]
-        r, f = self.data.values[0][mask], self.predicted[mask]
-        metrics = {"relative_rms": self.relative_rms}
-        for name, loss in LOSSES.items():
-            metrics[f"rms_{name}"] = _rms(loss.transform(f, cosines) - loss.transform(r, cosines))
-        metrics |= {
+        return distances(self.predicted[mask], self.data.values[0][mask], cosines) | {
             "objective": self.objective,
             "bic": self.bic,
             "n_samples": float(self.problem.samples),
             "n_parameters": float(self.problem.size),
         }
-        return metrics
 
     @cached_property
     def relative_rms(self) -> float:
         mask = self.data.mask[0]
-        measured = self.data.values[0][mask]
-        return _rms(self.predicted[mask] - measured) / max(_rms(measured), 1e-300)
+        return relative_rms(self.predicted[mask], self.data.values[0][mask])
 
     def trial(self) -> Trial:
         return Trial(
@@ -267,7 +263,3 @@ class _Attempt:
             n_starts=len(self.solution.x),
             seconds=clock.perf_counter() - started,
         )
-
-
-def _rms(x: Floats) -> float:
-    return float(np.sqrt(np.mean(np.square(x)))) if x.size else math.nan

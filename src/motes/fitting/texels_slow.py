@@ -9,8 +9,8 @@ import numpy as np
 from motes.fitting.joint import Joint
 from motes.fitting.losses import ROBUST, Floats
 from motes.fitting.problem import Problem
-from motes.fitting.result import Status
 from motes.fitting.solver import Solution, minimize
+from motes.fitting.verdicts import Status
 
 if TYPE_CHECKING:
     from motes.fitting.texels import Singles, TexelFit, TexelSolver

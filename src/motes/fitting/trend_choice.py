@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 from motes.fitting.joint import Joint, Part
 from motes.fitting.losses import Floats
 from motes.fitting.problem import Problem
-from motes.fitting.result import Verdict
 from motes.fitting.scans import ScanFits
 from motes.fitting.solver import Normal, Solution, minimize
-from motes.trends import KINDS, Trend
+from motes.fitting.time_result import Alternative
+from motes.fitting.verdicts import Verdict
+from motes.trends import KINDS
 
 #: Kinds of trend that are compared, the simplest first.
 CANDIDATE_KINDS = ("constant", "linear", "exponential", "logistic", "quadratic", "cubic", "monotone_spline")
@@ -27,15 +28,6 @@ ROUGHLY: dict[str, Any] = {"reduction": 1e-4, "max_iterations": 20}
 NEARLY: dict[str, Any] = {"reduction": 1e-7, "max_iterations": 60}
 # Mean square, in standard errors, up to which scans agree on a value.
 AGREEMENT = 9.0
-
-
-@dataclass(frozen=True)
-class Alternative:
-    """Another kind of trend for one parameter: how much worse its BIC is (over the part's inflation), and the trend."""
-
-    kind: str
-    delta_bic: float
-    trend: Trend
 
 
 def determined(kind: str, scans: int) -> bool:

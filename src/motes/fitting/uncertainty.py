@@ -11,9 +11,9 @@ from motes.fitting import covariance as steps
 from motes.fitting.algebra import ARRAYS
 from motes.fitting.columns import Columns, columns_of
 from motes.fitting.losses import Floats
-from motes.fitting.result import Verdict
 from motes.fitting.second_look import REFIT_ITERATIONS, REFIT_REDUCTION, Rows, Solved, look_again
 from motes.fitting.solver import Normal, Solution
+from motes.fitting.verdicts import Verdict
 from motes.parameters import Parameter
 
 

@@ -6,7 +6,8 @@ import math
 
 import numpy as np
 
-from motes.fitting.result import Fit, Verdict
+from motes.fitting.result import Fit
+from motes.fitting.verdicts import Verdict
 from motes.report.slices import NearMirror, Samples, grows, ratio_by_angle
 
 

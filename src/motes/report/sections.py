@@ -13,8 +13,8 @@ from motes.directions import theta
 from motes.drawing.colour import diverging, hex_color
 from motes.drawing.markup import Html, join, table, tag
 from motes.fitting.losses import LOSSES
-from motes.fitting.result import Fit, FittedParameter, Verdict
-from motes.fitting.tables import parameter_rows
+from motes.fitting.result import Fit, FittedParameter
+from motes.fitting.verdicts import Verdict
 from motes.material import Material
 from motes.report import plots, residuals
 from motes.report.figures import Shown
@@ -51,7 +51,7 @@ class Context(NamedTuple):
 
 def parameters(context: Context) -> Html:
     fit = context.fit
-    rows = parameter_rows(fit)
+    rows = fit.table()
     head = ("parameter", "channel", "value", "standard error", "unit", "verdict", "meaning", "range searched")
     many = {name for name, p in fit.parameters.items() if len(p.verdicts) > 4}
     few = [_row(fit.parameters[r["name"]], r) for r in rows if r["name"] not in many]

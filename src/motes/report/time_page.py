@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from motes.drawing.markup import Html
 from motes.drawing.sphere import LIGHTS, sphere_radiances
 from motes.files import write_text
-from motes.fitting.over_time import TimeFit
 from motes.fitting.result import Fit
+from motes.fitting.time_result import TimeFit
 from motes.material import Material
 from motes.report import time_sections
 from motes.report.document import (

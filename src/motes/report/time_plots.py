@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from motes.drawing.colour import Floats
 from motes.drawing.markup import Html, join, tag
 from motes.drawing.svg import Panel, Scale
-from motes.fitting.over_time import TimeFit, TrendFit
+from motes.fitting.time_result import TimeFit, TrendFit
 from motes.report.figures import Shown, figure, key
 from motes.trends import KINDS, Trend
 

@@ -10,9 +10,10 @@ import numpy as np
 
 from motes.drawing.markup import Html, join, table, tag
 from motes.drawing.sphere import LIGHTS
-from motes.fitting.over_time import TimeFit, TrendFit
-from motes.fitting.result import Fit, Verdict
-from motes.fitting.tables import with_error
+from motes.fitting.formatting import with_error
+from motes.fitting.result import Fit
+from motes.fitting.time_result import TimeFit, TrendFit
+from motes.fitting.verdicts import Verdict
 from motes.report import plots, residuals, sections, time_plots
 from motes.report.figures import Shown, channel_key
 from motes.report.findings import count, percent

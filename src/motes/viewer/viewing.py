@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any, final
 
 from motes.errors import DataError, ParameterError
-from motes.fitting.over_time import TimeFit
 from motes.fitting.result import Fit
+from motes.fitting.time_result import TimeFit
 from motes.material import Material
 from motes.measurements import Measurement
 from motes.models import BRDF
