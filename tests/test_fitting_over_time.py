@@ -26,6 +26,7 @@ from motes.fitting.scans import fit_scans, single
 from motes.fitting.setup import prepare
 from motes.fitting.time_result import TimeFit
 from motes.fitting.trend_choice import CANDIDATE_KINDS, Profile, determined, survey
+from motes.fitting.uncertainty import uncertainty
 from motes.fitting.verdicts import Verdict
 from motes.material import Material
 from motes.measurements import Measurement
@@ -266,7 +267,11 @@ def test_the_covariance_is_the_sandwich() -> None:
     parts = tuple(Part(q, TRUE_KINDS[q.name], (0.0, LAST)) for q in problem.quantities)
     joint = Joint(problem, UNEVEN, np.arange(8), parts)
     c = np.concatenate(
-        [np.ravel(v) for q in problem.quantities for v in fit.trends[q.name].trend.coefficients.values()]
+        [
+            np.ravel(part.quantity.coordinate(v) if part.squared else v)
+            for part in parts
+            for v in fit.trends[part.quantity.name].trend.coefficients.values()
+        ]
     )
     columns = []
     for k in range(len(c)):
@@ -276,7 +281,7 @@ def test_the_covariance_is_the_sandwich() -> None:
     inverse = np.linalg.inv(jacobian.T @ jacobian)
     leverage = np.einsum("nk,kl,nl->n", jacobian, inverse, jacobian)
     middle = (jacobian * (residual**2 / (1 - leverage) ** 2)[:, None]).T @ jacobian
-    assert_allclose(np.sqrt(np.diag(joint.covariance(c))), np.sqrt(np.diag(inverse @ middle @ inverse)), rtol=0.02)
+    assert_allclose(uncertainty(joint, c).steps, np.sqrt(np.diag(inverse @ middle @ inverse)), rtol=0.02)
 
 
 # ---------------------------------------------------------------- Choosing
