@@ -92,6 +92,8 @@ def as_fit(data: Measurement, brdf: BRDF, *, verdicts: dict[str, Verdict] | None
         "parameters": parameters,
         "labels": tuple(labels),
         "correlations": correlations,
+        "covariance": 1e-4 * correlations,
+        "findings": (),
         "metrics": metrics,
         "status": Status.CONVERGED,
         "tried": (trial,),

@@ -149,7 +149,8 @@ def _show(
     console.print_table(parameter_table(result, truth))
     print()
     effort = f"{result.n_starts} start{'s' if result.n_starts > 1 else ''}, {result.seconds:.2f} s"
-    console.print_facts([*verdict_notes(result), *_ending(result, effort), *written])
+    found = [("finding", text) for text in result.findings]
+    console.print_facts([*verdict_notes(result), *found, *_ending(result, effort), *written])
 
 
 def _show_trends(result: TimeFit, truth: dict[str, Any] | None, written: list[Row]) -> None:
@@ -188,8 +189,10 @@ def _ending(result: Fit | TimeFit, effort: str) -> list[Row]:
     reasons = "; ".join(f"{count} {reason}" for reason, count in data.masked.items())
     loss = result.loss + ("" if result.robust == "none" else f", {result.robust}")
     of = f"{data.mask.size} samples"
+    chi = result.metrics.get("reduced_chi_square")
     return [
         ("relative RMS", f"{100 * result.metrics['relative_rms']:.2f} %, unweighted (the loss was {loss})"),
+        *([("chi-square", f"{chi:.3g} for each degree of freedom, by the data's uncertainties")] if chi is not None else []),
         ("masked", f"{masked} of {of}: {reasons}" if masked else f"none of {of}"),
         ("status", f"{result.status} ({effort})"),
     ]

@@ -14,6 +14,7 @@ from motes.errors import DataError
 from motes.fitting.losses import loss_named, robust_named
 from motes.fitting.over_time import fit_over_time
 from motes.fitting.result import Fit
+from motes.fitting.setup import uncertainties_of
 from motes.fitting.static import fit_scan
 from motes.fitting.time_result import TimeFit
 from motes.measurements import Measurement
@@ -54,8 +55,8 @@ def fit(
         ``"none"``, ``"soft_l1"``, ``"huber"`` or ``"cauchy"``: how far-off samples count less.  The noise is taken from
         the median residual of a plain fit.
     weights
-        ``"measurement"`` for the weights that come with the data (solid angles, where the format has them),
-        ``"uniform"``, or an array (N,) or (N, C).
+        ``"measurement"`` for what comes with the data: inverse variances where they have uncertainties, else solid angles
+        where the format has them; ``"uniform"``, or an array (N,) or (N, C).
     fixed
         Parameters to hold: names (at the model's values), or a mapping of names to values.
     per_channel
@@ -103,6 +104,9 @@ def fit(
         within = np.minimum(data.wi[:, 2], data.wo[:, 2]) >= math.cos(max_theta)
         data = data.with_mask(within[None, :, None], f"theta beyond {math.degrees(max_theta):.3g} degrees")
     loss_named(loss), robust_named(robust)
+    uncertainties = uncertainties_of(data, weights)
+    if uncertainties is not None and not np.isfinite(uncertainties).all():
+        data = data.with_mask(np.isfinite(uncertainties), "uncertainty unknown")
     # One name is a name, not its letters.
     fixed = (fixed,) if isinstance(fixed, str) else fixed
     per_channel = (per_channel,) if isinstance(per_channel, str) else per_channel

@@ -258,6 +258,16 @@ class Joint:
         scans = [self.problem.curvature(x[k], np.array([t])) for k, t in enumerate(self.scans)]
         return _chained(jacobian, np.stack(scans))
 
+    @property
+    def common(self) -> float:
+        return self.problem.common
+
+    def pull(self, c: Floats) -> Floats:
+        """See `Problem.pull`."""
+        x, jacobian = self.vectors(c)
+        scans = np.stack([self.problem.pull(x[k], np.array([t])) for k, t in enumerate(self.scans)])
+        return np.asarray(np.einsum("tpk,tp->k", jacobian, scans))
+
     def spread(self, c: Floats, inverse: Floats) -> Floats:
         """The middle of the sandwich (K, K) over all scans; see `Problem.spread`."""
         x, jacobian = self.vectors(c)

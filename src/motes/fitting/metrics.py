@@ -25,3 +25,11 @@ def distances(fitted: Floats, measured: Floats, cosines: Floats) -> dict[str, fl
     for name, loss in LOSSES.items():
         found[f"rms_{name}"] = rms(loss.transform(fitted, cosines) - loss.transform(measured, cosines))
     return found
+
+
+def chi_square(objective: float, factor: float | None, freedom: int) -> dict[str, float]:
+    """Chi-square and the reduced one, where the weights are inverse variances times `factor`; nothing elsewhere."""
+    if factor is None:
+        return {}
+    total = 2 * objective / factor
+    return {"chi_square": total, "reduced_chi_square": total / max(freedom, 1)}

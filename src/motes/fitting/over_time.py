@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import time as clock
 from collections.abc import Callable, Collection, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -14,8 +15,9 @@ from motes.errors import DataError, MotesError
 from motes.fitting.choice import is_auto, summed
 from motes.fitting.joint import Joint
 from motes.fitting.losses import ROBUST, Floats
-from motes.fitting.metrics import distances
+from motes.fitting.metrics import chi_square, distances
 from motes.fitting.outliers import joint_fit
+from motes.fitting.plausibility import implausible_fit
 from motes.fitting.problem import Problem
 from motes.fitting.result import Trial
 from motes.fitting.scans import ScanFits, fit_scans
@@ -29,6 +31,7 @@ from motes.fitting.uncertainty import uncertainty, verdict_of
 from motes.fitting.verdicts import Verdict
 from motes.material import Material
 from motes.measurements import Measurement
+from motes.measurements.plausibility import implausible
 from motes.models import BRDF, describe
 from motes.trends import KINDS
 
@@ -96,7 +99,19 @@ def fit_over_time(
     say(40, 100, "choosing trends")
     joint, solution, alternatives, outliers = joint_fit(problem, hours, fits, usable, kinds, say)
     return _result(
-        data, setup.brdf, joint, solution, alternatives, outliers, fits, usable, tried, loss, robust, started
+        data,
+        setup.brdf,
+        joint,
+        solution,
+        alternatives,
+        outliers,
+        fits,
+        usable,
+        tried,
+        loss,
+        robust,
+        setup.factor,
+        started,
     )
 
 
@@ -140,6 +155,7 @@ def _result(
     tried: tuple[Trial, ...],
     loss: str,
     robust: str,
+    factor: float | None,
     started: float,
 ) -> TimeFit:
     c = solution.x[0]
@@ -185,14 +201,18 @@ def _result(
     cosines = np.broadcast_to(data.wi[None, :, 2:3], mask.shape)[mask]
     objective = float(solution.normal.objective[0])
     found = findings(results, outliers, len(usable), data, material)
-    metrics = distances(f, r, cosines) | {
-        "objective": objective,
-        "bic": joint.bic(objective),
-        "n_samples": float(joint.samples),
-        "n_parameters": float(joint.problem.size),
-        "n_coefficients": float(joint.size),
-    }
-    return TimeFit(
+    metrics = (
+        distances(f, r, cosines)
+        | {
+            "objective": objective,
+            "bic": joint.bic(objective),
+            "n_samples": float(joint.samples),
+            "n_parameters": float(joint.problem.size),
+            "n_coefficients": float(joint.size),
+        }
+        | chi_square(objective, factor, joint.samples - joint.size)
+    )
+    result = TimeFit(
         material=material,
         trends=results,
         hours=hours,
@@ -209,6 +229,7 @@ def _result(
         iterations=int(solution.iterations.sum()),
         seconds=clock.perf_counter() - started,
     )
+    return replace(result, findings=(*found, *implausible(data), *implausible_fit(result)))
 
 
 def _trend_verdict(joint: Joint, kind: str, p: Any, values: Floats, stderr: Floats) -> Verdict:

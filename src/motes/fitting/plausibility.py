@@ -7,18 +7,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from motes.directions import from_spherical
-from motes.fitting.result import Fit, Verdict
+from motes.fitting.result import Fit
+from motes.fitting.time_result import TimeFit
+from motes.fitting.verdicts import Verdict
 from motes.models import BRDF
 from motes.parameters import Role
-
-if TYPE_CHECKING:
-    from motes.fitting.over_time import TimeFit
 
 Floats = NDArray[np.float64]
 

@@ -66,6 +66,8 @@ class Problem:
     values, weights
         Measured BRDF and weights (N, C), or (T, N, C) for T data sets at the same directions; the weight is 0 where
         masked, and the value is finite everywhere.
+    common
+        A relative uncertainty that all values share: of the scale.
     loss, robust, scale
         The residuals' transform; the robust function, and the noise in units of which it measures residuals.
     """
@@ -80,6 +82,7 @@ class Problem:
     loss: Loss
     robust: Robust
     scale: float = 1.0
+    common: float = 0.0
     _function: FitFunction = field(init=False)
     _columns: tuple[Floats, ...] = field(init=False)
     _cosines: Floats = field(init=False)
@@ -219,6 +222,18 @@ class Problem:
         It is the Gauss-Newton matrix for least squares.  Under a robust function the matrix that makes good steps is
         larger than that: it leaves out that a residual counts less as it grows."""
         return np.sum(self._mapped(lambda rows: self._curvature_part(x[None], rows, sets), 1), axis=0)
+
+    def pull(self, x: Floats, sets: NDArray[np.intp] | None = None) -> Floats:
+        """By how much the gradient (P,) changes when all values grow by their common uncertainty, one standard deviation."""
+        slopes = self.loss.slope(self.values, self._cosines)
+        moved = np.where(self._roots > 0, self._roots * slopes * self.values * self.common, 0.0)
+
+        def part(rows: slice) -> tuple[Floats]:
+            _, jacobian = self._linearised(x[None], rows, sets)
+            push = self._data(moved, rows, sets)
+            return (self._vector(np.einsum("bcnk,bnc->bck", jacobian, push.reshape(1, *push.shape[-2:])))[0],)
+
+        return np.asarray(np.sum([p for (p,) in self._mapped(part, 1)], axis=0))
 
     def _normal_part(self, x: Floats, rows: slice, sets: NDArray[np.intp] | None) -> tuple[Floats, Floats, Floats]:
         residual, jacobian = self._linearised(x, rows, sets)

@@ -88,6 +88,8 @@ class Result:
         Why it stopped.
     tried
         The models compared.
+    findings
+        Sentences on what is odd about the data or the fit, and on what the data do not show or determine.
     measurement
         The data.
     predicted
@@ -104,6 +106,7 @@ class Result:
     metrics: dict[str, float]
     status: Status
     tried: tuple[Trial, ...]
+    findings: tuple[str, ...]
     measurement: Measurement
     predicted: NDArray[np.float64]
     loss: str
@@ -128,6 +131,7 @@ class Result:
             "converged": self.status.ok,
         }
         after = {
+            "findings": list(self.findings),
             "metrics": finite(self.metrics),
             "tried": [finite(asdict(trial) | {"status": str(trial.status)}) for trial in self.tried],
             "measurement": finite(self.measurement.summary()),

@@ -9,19 +9,21 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from motes.errors import DataError, MotesError
-from motes.fitting.losses import LOSSES, ROBUST, Floats
+from motes.fitting.losses import LOSSES, ROBUST, Floats, Loss
 from motes.fitting.problem import Problem, layout
 from motes.measurements import Measurement
 from motes.models import BRDF, describe, parse
 
 
 class Setup(NamedTuple):
-    """A model without its data's values, the names that are held, a BRDF to start from if one was given, and the problem."""
+    """A model without its data's values, the names that are held, a BRDF to start from if one was given, the problem, and
+    the factor of weights that are inverse variances (`Weights`)."""
 
     brdf: BRDF
     held: frozenset[str]
     start: BRDF | None
     problem: Problem
+    factor: float | None
 
 
 def prepare(
@@ -54,7 +56,7 @@ def prepare(
         raise MotesError(
             f"every parameter of {describe(brdf)} is held, so there is nothing to fit", "Hold fewer parameters"
         )
-    full = sample_weights(data, weights)
+    full, factor = sample_weights(data, weights, LOSSES[loss])
     used: Any = full.any(axis=(0, 2))
     used = slice(None) if used.all() else used  # no copies of large data
     values = np.where(full > 0, data.values, 0.0)[:, used]
@@ -79,8 +81,9 @@ def prepare(
         weights=full[0] if single else full,
         loss=LOSSES[loss],
         robust=ROBUST["none"],
+        common=data.common_uncertainty or 0.0,
     )
-    return Setup(brdf, held, model if isinstance(model, BRDF) else None, problem)
+    return Setup(brdf, held, model if isinstance(model, BRDF) else None, problem, factor)
 
 
 def _held_value(value: Any, per_channel: bool, channels: int) -> Any:
@@ -94,8 +97,31 @@ def _held_value(value: Any, per_channel: bool, channels: int) -> Any:
     )
 
 
-def sample_weights(data: Measurement, weights: str | ArrayLike) -> Floats:
-    """Weights (T, N, C), 0 where masked, with mean 1 over the rest."""
+class Weights(NamedTuple):
+    """Weights (T, N, C), 0 where masked, with mean 1 over the rest; and what they were multiplied with for that, where they are
+    inverse variances of the residuals: chi-square is twice the objective over it.  None where nothing is known of the noise."""
+
+    values: Floats
+    factor: float | None
+
+
+def uncertainties_of(data: Measurement, weights: str | ArrayLike) -> Floats | None:
+    """The uncertainties (T, N, C) that samples are weighted by: where they have any, unless asked otherwise."""
+    return data.uncertainties if isinstance(weights, str) and weights == "measurement" else None
+
+
+def sample_weights(data: Measurement, weights: str | ArrayLike, loss: Loss) -> Weights:
+    """The weights of a fit.
+
+    An uncertainty u of a value r makes the residual of a loss uncertain by u T'(r): the weight is the inverse square of that,
+    so that chi-square does not depend on the loss.
+    """
+    uncertainties = uncertainties_of(data, weights)
+    if uncertainties is not None:
+        slope = loss.slope(data.values, data.wi[None, :, 2:3])
+        with np.errstate(all="ignore"):
+            inverse = 1.0 / np.square(uncertainties * slope)
+        return _scaled(data, np.where(data.mask & np.isfinite(inverse), inverse, 0.0), True)
     if isinstance(weights, str):
         if weights not in ("measurement", "uniform"):
             raise MotesError(f"weights {weights!r} is not 'measurement', 'uniform' or an array")
@@ -113,12 +139,15 @@ def sample_weights(data: Measurement, weights: str | ArrayLike) -> Floats:
         )
     if not (np.isfinite(given).all() and (given >= 0).all()):
         raise DataError("weights hold a negative or non-finite value", "Weights are 0 or positive")
-    full = np.where(data.mask, given, 0.0)
+    return _scaled(data, np.where(data.mask, given, 0.0), False)
+
+
+def _scaled(data: Measurement, full: Floats, inverse_variances: bool) -> Weights:
     used = int(np.count_nonzero(full))
     if used == 0:
         reasons = ", ".join(f"{count} {reason}" for reason, count in data.masked.items()) or "all weights are 0"
         raise DataError(
             f"no sample of {data.mask.size} is left to fit: {reasons}", "motes info DATA shows what was masked and why"
         )
-    full *= used / full.sum()
-    return full
+    factor = used / float(full.sum())
+    return Weights(full * factor, factor if inverse_variances else None)

@@ -14,8 +14,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from motes.errors import DataError
 from motes.fitting.choice import CANDIDATES, best_of, bic, check_names, is_auto
-from motes.fitting.losses import ROBUST, Floats
-from motes.fitting.metrics import distances, relative_rms
+from motes.fitting.losses import LOSSES, ROBUST, Floats
+from motes.fitting.metrics import chi_square, distances, relative_rms
+from motes.fitting.plausibility import implausible_fit
 from motes.fitting.problem import Problem
 from motes.fitting.result import Fit, FittedParameter, Trial
 from motes.fitting.setup import prepare, sample_weights
@@ -25,6 +26,7 @@ from motes.fitting.uncertainty import uncertainty
 from motes.fitting.verdicts import Status, Verdict
 from motes.material import Material
 from motes.measurements import Measurement
+from motes.measurements.plausibility import implausible
 from motes.models import BRDF, describe
 
 #: With more than three times as many samples, candidates are compared on this many.
@@ -55,7 +57,7 @@ def fit_scan(
         rows = _even_rows(data.n_directions, COMPARED_SAMPLES // data.n_channels)
         compared = data.select(rows)
         if not isinstance(weights, str):
-            sample_weights(data, weights)  # complains of a wrong shape before rows are taken
+            sample_weights(data, weights, LOSSES[loss])  # complains of a wrong shape before rows are taken
             compared_weights = np.asarray(weights, float)[rows]
     steps = len(texts) + (compared is not data)
     done = 0
@@ -99,7 +101,9 @@ class _Attempt:
         near: Floats | None = None,
     ) -> None:
         self.data, self.loss, self.robust = data, loss, robust
-        brdf, self.held, start, self.problem = prepare(data, model, loss, weights, fixed, per_channel, lenient)
+        brdf, self.held, start, self.problem, self.factor = prepare(
+            data, model, loss, weights, fixed, per_channel, lenient
+        )
         self.brdf = brdf
         if self.problem.samples <= self.problem.size:
             raise DataError(
@@ -183,12 +187,16 @@ class _Attempt:
     def metrics(self) -> dict[str, float]:
         mask = self.data.mask[0]
         cosines = np.broadcast_to(self.data.wi[:, 2:3], mask.shape)[mask]
-        return distances(self.predicted[mask], self.data.values[0][mask], cosines) | {
-            "objective": self.objective,
-            "bic": self.bic,
-            "n_samples": float(self.problem.samples),
-            "n_parameters": float(self.problem.size),
-        }
+        return (
+            distances(self.predicted[mask], self.data.values[0][mask], cosines)
+            | {
+                "objective": self.objective,
+                "bic": self.bic,
+                "n_samples": float(self.problem.samples),
+                "n_parameters": float(self.problem.size),
+            }
+            | chi_square(self.objective, self.factor, self.problem.samples - self.problem.size)
+        )
 
     @cached_property
     def relative_rms(self) -> float:
@@ -245,7 +253,7 @@ class _Attempt:
             },
         }
         wavelengths = () if data.wavelengths is None else tuple(float(w) for w in data.wavelengths)
-        return Fit(
+        result = Fit(
             material=Material(brdf, data.name, data.channels, wavelengths, about=about),
             parameters=parameters,
             labels=self.problem.labels(data.channels),
@@ -254,6 +262,7 @@ class _Attempt:
             metrics=metrics,
             status=self.status,
             tried=tried,
+            findings=(),
             measurement=data,
             predicted=self.predicted,
             loss=self.loss,
@@ -263,3 +272,4 @@ class _Attempt:
             n_starts=len(self.solution.x),
             seconds=clock.perf_counter() - started,
         )
+        return replace(result, findings=(*implausible(data), *implausible_fit(result)))

@@ -96,14 +96,11 @@ class TimeFit(Result):
         The times of the scans (T,).
     outliers
         Scans that were left out.
-    findings
-        Sentences on what the data do not show or determine.
     """
 
     trends: dict[str, TrendFit]
     hours: Floats
     outliers: tuple[ScanOutlier, ...]
-    findings: tuple[str, ...]
 
     kind: ClassVar[str] = "fit over time"
     format: ClassVar[str] = "motes time fit"
@@ -117,7 +114,6 @@ class TimeFit(Result):
         values = {name: t.band(self.hours) for name, t in self.trends.items()}
         return {
             "hours": finite(self.hours),
-            "findings": list(self.findings),
             "outliers": [{"scan": o.index, "hours": o.hours, "reason": o.reason} for o in self.outliers],
             "trends": {
                 name: {

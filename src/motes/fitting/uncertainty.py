@@ -38,6 +38,11 @@ class Objective(Protocol):
 
     def spread(self, x: Floats, inverse: Floats) -> Floats: ...
 
+    @property
+    def common(self) -> float: ...
+
+    def pull(self, x: Floats) -> Floats: ...
+
     def solve(
         self,
         starts: Floats,
@@ -96,6 +101,9 @@ def uncertainty(objective: Objective, x: Floats) -> Uncertainty:
             blurred = np.maximum(blurred, inverse.blurred)
         middle = objective.spread(x, inverse.matrix[..., 0])[..., None]
         covariance = ARRAYS.sandwich(inverse.matrix, middle)
+        if objective.common:  # a scale that is uncertain moves all parameters together
+            way = inverse.matrix[..., 0] @ objective.pull(x)
+            covariance = covariance + np.outer(way, way)[..., None]
         free = stand.free * (1 - blurred)
         noise = steps.noise_of(ARRAYS, matrix, middle, free)
         bounded = np.maximum(stand.at_low, stand.at_high)

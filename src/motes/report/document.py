@@ -58,9 +58,14 @@ def sectioned(context: C, sections: Sequence[Section[C]]) -> list[Html]:
 
 
 def headline(
-    picture: tuple[str, str], title: str, model: str, lead: Sequence[object], facts: Sequence[tuple[str, str]]
+    picture: tuple[str, str],
+    title: str,
+    model: str,
+    lead: Sequence[object],
+    facts: Sequence[tuple[str, str]],
+    findings: Sequence[str] = (),
 ) -> Html:
-    """The head of a page: a picture (its address, and words for it), what was fitted, how it went, and some numbers."""
+    """The head of a page: a picture (its address, and words for it), what was fitted, how it went, some numbers, and what is odd."""
     address, words = picture
     return tag(
         "header",
@@ -71,6 +76,7 @@ def headline(
             tag("p", model, class_="model"),
             tag("p", *lead, class_="lead"),
             tag("dl", *(tag("div", tag("dt", name), tag("dd", value)) for name, value in facts), class_="facts"),
+            tag("ul", *(tag("li", text) for text in findings), class_="notes") if findings else None,
         ),
     )
 

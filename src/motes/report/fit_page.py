@@ -98,10 +98,12 @@ def _headline(context: Context) -> Html:
         ("free parameters", f"{int(fit.metrics.get('n_parameters', len(fit.labels)))}"),
         ("time to fit", f"{fit.seconds:.2g} s"),
     ]
+    if (chi := fit.metrics.get("reduced_chi_square")) is not None:
+        facts.insert(1, ("reduced chi-square", f"{chi:.3g}"))
     missed = findings.misses(context.samples, context.near)
     lead = (findings.verdict(fit), " ", findings.determined(fit), f" {missed}" if missed else None)
     words = f"A sphere of the fitted material, lit {LIGHTS['three-quarter'].words}"
-    return headline((context.spheres["three-quarter"], words), data.name, fit.brdf.in_words(), lead, facts)
+    return headline((context.spheres["three-quarter"], words), data.name, fit.brdf.in_words(), lead, facts, fit.findings)
 
 
 def _spheres(fit: Fit) -> tuple[dict[str, str], str]:

@@ -118,6 +118,7 @@ def _moment(fit: TimeFit, index: int) -> Fit:
         metrics=dict(fit.metrics),
         status=fit.status,
         tried=fit.tried,
+        findings=(),
         measurement=data,
         predicted=fit.predicted[index],
         loss=fit.loss,

@@ -1,0 +1,73 @@
+"""Uncertainties of the data in a fit: weights, chi-square, errors that hold, and a scale that all samples share."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import motes
+from fitting_oracle import scattered
+from motes.fitting import Fit
+from motes.measurements import Measurement
+
+TS = "oren_nayar + torrance_sparrow"
+GLOSSY = motes.OrenNayar(K_d=(0.6, 0.4), sigma_d=0.4) + motes.TorranceSparrow(K_s=0.25, sigma_s=0.15)
+WI, WO = scattered(200, 3)
+TRUE = GLOSSY.eval(WI, WO)
+# A few samples are ten times better than the rest, as where a detector changes its range.
+SPREAD = np.where(np.arange(len(WI)) % 4 == 0, 0.002, 0.02)[:, None] * np.ones(2)
+
+
+def fitted(seed: int, **options: object) -> Fit:
+    values = TRUE + SPREAD * np.random.default_rng(seed).standard_normal(TRUE.shape)
+    data = Measurement.from_arrays(WI, WO, values, uncertainties=SPREAD)
+    return motes.fit(data, TS, **options)
+
+
+def flat(fit: Fit, what: str) -> np.ndarray:
+    return np.concatenate([np.atleast_1d(getattr(p, what)) for p in fit.parameters.values()])
+
+
+@pytest.mark.parametrize("loss", ["linear", "plain", "log"])
+def test_reduced_chi_square_is_one_whatever_the_loss(loss: str) -> None:
+    """396 degrees of freedom: one standard deviation of the mean of ten is 0.022."""
+    found = [fitted(seed, loss=loss).metrics["reduced_chi_square"] for seed in range(10)]
+    assert np.mean(found) == pytest.approx(1.0, abs=0.07)
+
+
+def test_errors_are_smaller_with_the_uncertainties_and_hold() -> None:
+    fits = [fitted(seed) for seed in range(60)]
+    values, errors = (np.array([flat(fit, what) for fit in fits]) for what in ("value", "stderr"))
+    truth = np.array([0.6, 0.4, 0.4, 0.25, 0.15])
+    pull = (values - truth) / errors
+    # The mean square of 60 pulls is 1 +- 0.18 where errors are right.
+    assert np.all(np.abs(np.mean(pull**2, axis=0) - 1) < 0.55), np.mean(pull**2, axis=0)
+    plain = np.array([flat(fitted(seed, weights="uniform"), "stderr") for seed in range(10)])
+    assert np.all(np.median(errors, axis=0) < 0.6 * np.median(plain, axis=0))
+    assert "chi_square" not in fitted(0, weights="uniform").metrics
+
+
+def test_a_sample_of_unknown_uncertainty_is_left_out_and_said() -> None:
+    spread = SPREAD.copy()
+    spread[7, 1] = np.nan
+    data = Measurement.from_arrays(WI, WO, TRUE, uncertainties=spread)
+    fit = motes.fit(data, TS)
+    assert fit.metrics["n_samples"] == TRUE.size - 1
+    assert fit.measurement.masked["uncertainty unknown"] == 1
+
+
+def test_a_scale_that_all_samples_share_moves_what_is_proportional_to_it() -> None:
+    """Two per cent of the scale are two per cent of K_s and nothing of a width; equation (7) bends K_d a little."""
+    values = TRUE * (1 + 0.001 * np.random.default_rng(1).standard_normal(TRUE.shape))
+    alone = motes.fit(Measurement.from_arrays(WI, WO, values), TS)
+    shared = motes.fit(Measurement.from_arrays(WI, WO, values, common_uncertainty=0.02), TS)
+    np.testing.assert_array_equal(flat(alone, "value"), flat(shared, "value"))
+    K_s, sigma_s, K_d = (shared.parameters[name] for name in ("K_s", "sigma_s", "K_d"))
+    assert K_s.stderr / K_s.value == pytest.approx(0.02, rel=0.05)
+    assert sigma_s.stderr == pytest.approx(alone.parameters["sigma_s"].stderr, rel=0.2)
+    # What a fit to data 2 % brighter says is the same.
+    brighter = motes.fit(Measurement.from_arrays(WI, WO, 1.02 * values), TS)
+    move = np.abs(flat(brighter, "value") - flat(alone, "value"))
+    expected = np.sqrt(flat(alone, "stderr") ** 2 + move**2)
+    np.testing.assert_allclose(flat(shared, "stderr"), expected, rtol=0.1)
+    assert K_d.stderr[0] / K_d.value[0] == pytest.approx(0.02, rel=0.2)
