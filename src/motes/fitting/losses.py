@@ -15,10 +15,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from motes.arrays import Array
 from motes.errors import MotesError
 
 Floats = NDArray[np.float64]
@@ -27,32 +29,55 @@ Floats = NDArray[np.float64]
 SMALLEST = 1e-6
 
 
+class Functions(Protocol):
+    """The array namespace that losses are written over: `numpy`, or a graph (`motes.graph.tracing.Graph`)."""
+
+    sqrt: Callable[[Any], Any]
+    log1p: Callable[[Any], Any]
+    cbrt: Callable[[Any], Any]
+    maximum: Callable[[Any, Any], Any]
+    where: Callable[[Any, Any, Any], Any]
+
+
 @dataclass(frozen=True)
 class Loss:
-    """A transform of the BRDF and its derivative by f; both take f [1/sr] and cos(theta_i), broadcast."""
+    """A transform of the BRDF and its derivative by f, as formulas (`transformed`, `sloped`) of a namespace, of f [1/sr] and of cos(theta_i)."""
 
     name: str
     meaning: str
-    transform: Callable[[Floats, Floats], Floats]
-    slope: Callable[[Floats, Floats], Floats]
+    transformed: Callable[[Functions, Array, Array], Array]
+    sloped: Callable[[Functions, Array, Array], Array]
+
+    def transform(self, f: Floats, cosine: Floats) -> Floats:
+        """The transform of f [1/sr]; both broadcast."""
+        return np.asarray(self.transformed(np, f, cosine))
+
+    def slope(self, f: Floats, cosine: Floats) -> Floats:
+        """The derivative of `transform` by f."""
+        return np.asarray(self.sloped(np, f, cosine))
+
+    @property
+    def is_linear(self) -> bool:
+        """Whether the transform of a sum is the sum of transforms."""
+        return self.name in ("linear", "plain")
 
 
 LOSSES = {
     loss.name: loss
     for loss in (
-        Loss("linear", "(f - r) cos theta_i", lambda f, c: f * c, lambda f, c: c),
-        Loss("plain", "f - r", lambda f, c: f, lambda f, c: np.ones_like(c)),
+        Loss("linear", "(f - r) cos theta_i", lambda xp, f, c: f * c, lambda xp, f, c: c),
+        Loss("plain", "f - r", lambda xp, f, c: f, lambda xp, f, c: 0 * c + 1.0),
         Loss(
             "log",
             "log(1 + f cos theta_i) - log(1 + r cos theta_i)",
-            lambda f, c: np.log1p(f * c),
-            lambda f, c: c / (1 + f * c),
+            lambda xp, f, c: xp.log1p(f * c),
+            lambda xp, f, c: c / (1 + f * c),
         ),
         Loss(
             "cube_root",
             "(f cos theta_i)^(1/3) - (r cos theta_i)^(1/3)",
-            lambda f, c: np.cbrt(f * c),
-            lambda f, c: c / (3 * np.cbrt(np.maximum(f * c, SMALLEST)) ** 2),
+            lambda xp, f, c: xp.cbrt(f * c),
+            lambda xp, f, c: c / (3 * _square(xp.cbrt(xp.maximum(f * c, SMALLEST)))),
         ),
     )
 }
@@ -64,32 +89,50 @@ class Robust:
 
     ``slope`` is its derivative by z: what a residual is multiplied by in the gradient.  ``bend`` is the derivative of
     that product by the residual, slope + 2 z slope': what J'J is multiplied by in the expected second derivative, and so
-    in the standard errors.
+    in the standard errors.  Each is a formula (`of`, `sloped`, `bent`) of a namespace and of z.
     """
 
     name: str
-    rho: Callable[[Floats], Floats]
-    slope: Callable[[Floats], Floats]
-    bend: Callable[[Floats], Floats]
+    of: Callable[[Functions, Array], Array]
+    sloped: Callable[[Functions, Array], Array]
+    bent: Callable[[Functions, Array], Array]
+
+    def rho(self, z: Floats) -> Floats:
+        return np.asarray(self.of(np, z))
+
+    def slope(self, z: Floats) -> Floats:
+        return np.asarray(self.sloped(np, z))
+
+    def bend(self, z: Floats) -> Floats:
+        return np.asarray(self.bent(np, z))
+
+
+def _square(x: Array) -> Array:
+    return x * x
 
 
 ROBUST = {
     robust.name: robust
     for robust in (
-        Robust("none", lambda z: z, np.ones_like, np.ones_like),
+        Robust("none", lambda xp, z: z, lambda xp, z: 0 * z + 1.0, lambda xp, z: 0 * z + 1.0),
         Robust(
             "soft_l1",
-            lambda z: 2 * (np.sqrt(1 + z) - 1),
-            lambda z: 1 / np.sqrt(1 + z),
-            lambda z: 1 / ((1 + z) * np.sqrt(1 + z)),
+            lambda xp, z: 2 * (xp.sqrt(1 + z) - 1),
+            lambda xp, z: 1 / xp.sqrt(1 + z),
+            lambda xp, z: 1 / ((1 + z) * xp.sqrt(1 + z)),
         ),
         Robust(
             "huber",
-            lambda z: np.where(z <= 1, z, 2 * np.sqrt(np.maximum(z, 1)) - 1),
-            lambda z: 1 / np.sqrt(np.maximum(z, 1)),
-            lambda z: np.where(z <= 1, 1.0, 0.0),
+            lambda xp, z: xp.where(z <= 1, z, 2 * xp.sqrt(xp.maximum(z, 1.0)) - 1),
+            lambda xp, z: 1 / xp.sqrt(xp.maximum(z, 1.0)),
+            lambda xp, z: xp.where(z <= 1, 1.0, 0.0),
         ),
-        Robust("cauchy", np.log1p, lambda z: 1 / (1 + z), lambda z: (1 - z) / ((1 + z) * (1 + z))),
+        Robust(
+            "cauchy",
+            lambda xp, z: xp.log1p(z),
+            lambda xp, z: 1 / (1 + z),
+            lambda xp, z: (1 - z) / ((1 + z) * (1 + z)),
+        ),
     )
 }
 

@@ -29,6 +29,10 @@ def _through(symbol: Symbol, k: int, t: Symbol) -> Symbol | None:
         return t * graph.exp(a)
     if op == "asin":
         return t / graph.maximum(graph.sqrt((1 - a) * (1 + a)), _LEAST_ROOT)
+    if op == "log1p":
+        return t / (1 + a)
+    if op == "cbrt":
+        return t / (3 * graph.maximum(symbol * symbol, _LEAST_ROOT))
     if op in ("minimum", "maximum"):  # one-sided at a tie: the first argument
         first = a <= b if op == "minimum" else a >= b
         return graph.where(first, t, 0.0) if k == 0 else graph.where(first, 0.0, t)

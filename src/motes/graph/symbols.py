@@ -28,7 +28,7 @@ INFIX: dict[str, Callable[[Any, Any], Any]] = {
     "gt": operator.gt,
     "ge": operator.ge,
 }
-FUNCTIONS = ("sqrt", "exp", "expm1", "asin", "minimum", "maximum", "where")
+FUNCTIONS = ("sqrt", "exp", "expm1", "asin", "log1p", "cbrt", "minimum", "maximum", "where")
 _COMMUTATIVE = frozenset({"add", "mul", "minimum", "maximum"})
 
 
@@ -113,6 +113,14 @@ class Graph:
 
     def asin(self, x: Array) -> Symbol:
         return self.apply("asin", x)
+
+    def log1p(self, x: Array) -> Symbol:
+        """For the losses of fits (`motes.fitting.losses`): no model needs it, and no shading language prints it."""
+        return self.apply("log1p", x)
+
+    def cbrt(self, x: Array) -> Symbol:
+        """As `log1p`."""
+        return self.apply("cbrt", x)
 
     def minimum(self, a: Array, b: Array) -> Symbol:
         return self.apply("minimum", a, b)

@@ -1,4 +1,4 @@
-"""Straight-line programs over rows of lanes, as vector instructions: what the kernels of `motes.fitting.printed.lanes` are made of.
+"""Straight-line programs over rows of lanes, as vector instructions: what the kernels of `motes.fitting.printed` are made of.
 
 A program is text, one instruction a line, in the order of evaluation::
 
@@ -22,16 +22,14 @@ from typing import Any
 from llvmlite import ir
 from numba.core import cgutils, types
 
-from motes.printing.elementary import FLOAT32, FLOAT64, Precision
+from motes.kernels.vector_functions import DOUBLE, FLAGS, FLOAT, SCALARS, Lanes
 
-#: A value is NaN where it should be, and sums keep their order.
-FLAGS = ("nsz", "arcp", "contract")
-_FLOAT, _DOUBLE, _WORD = ir.FloatType(), ir.DoubleType(), ir.IntType(64)
-_SCALARS = {"F": _FLOAT, "D": _DOUBLE}
-_COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">="}
+_WORD = ir.IntType(64)
+PIECE = 8  # numbers that `transposed` reads at once from a lane's memory
+Intrinsic = tuple[Any, Callable[..., Any]]
 
 
-def rows(lanes: int, scalar: str, program: str, *arguments: Any) -> tuple[Any, Callable[..., Any]]:
+def rows(lanes: int, scalar: str, program: str, *arguments: Any) -> Intrinsic:
     """Signature and code of an intrinsic that runs `program` once; its arguments are the addresses that the program names, in its first line."""
     names, lines = _parsed(program)
 
@@ -43,7 +41,25 @@ def rows(lanes: int, scalar: str, program: str, *arguments: Any) -> tuple[Any, C
     return types.void(*arguments), generate
 
 
-def sums(lanes: int, run: int, count: int, step: int, program: str, *arguments: Any) -> tuple[Any, Callable[..., Any]]:
+def each(lanes: int, program: str, *arguments: Any) -> Intrinsic:
+    """Signature and code of an intrinsic that runs `program`, in float32, for every sample.
+
+    The program may use ``sample`` in indices; one of its arguments is ``samples``, their number.
+    """
+    names, lines = _parsed(program)
+
+    def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        given = dict(zip(names, args, strict=True))
+        writer = _Writer(builder, lanes, "F", given)
+        zero, one = ir.Constant(_WORD, 0), ir.Constant(_WORD, 1)
+        with cgutils.for_range_slice(builder, zero, given["samples"], one, _WORD) as (sample, _):
+            writer.run(lines, {"sample": sample})
+        return context.get_dummy_value()
+
+    return types.void(*arguments), generate
+
+
+def sums(lanes: int, run: int, count: int, step: int, program: str, *arguments: Any) -> Intrinsic:
     """Signature and code of an intrinsic that adds up over samples, in float32 over runs of `run` and in float64 beyond.
 
     The program leaves its `count` terms for `step` samples that follow each other in ``sum0 sum1 ...``.  It may use ``sample``, the first of
@@ -55,7 +71,7 @@ def sums(lanes: int, run: int, count: int, step: int, program: str, *arguments: 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         given = dict(zip(names, args, strict=True))
         writer = _Writer(builder, lanes, "F", given)
-        vector, wide = ir.VectorType(_FLOAT, lanes), ir.VectorType(_DOUBLE, lanes)
+        vector, wide = ir.VectorType(FLOAT, lanes), ir.VectorType(DOUBLE, lanes)
         totals = [cgutils.alloca_once(builder, vector) for _ in range(count)]
         samples, zero = given["samples"], ir.Constant(_WORD, 0)
         with cgutils.for_range_slice(builder, zero, samples, ir.Constant(_WORD, run), _WORD) as (first, _):
@@ -76,25 +92,64 @@ def sums(lanes: int, run: int, count: int, step: int, program: str, *arguments: 
     return types.void(*arguments), generate
 
 
+def transposed(lanes: int, source: Any, stride: Any, last: Any, first: Any, target: Any) -> Intrinsic:
+    """Signature and code of an intrinsic that brings `PIECE` numbers of each lane into rows of lanes.
+
+    Arguments: the address of the first lane's numbers (float32), the bytes from a lane's to the next lane's, the last lane that there is (those beyond
+    repeat it), the position of the first number, and the address of the rows, of which those at `first` and beyond are written.
+    """
+
+    def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        address, step, end, start, room = args
+        piece = ir.VectorType(FLOAT, PIECE)
+        four = ir.Constant(_WORD, 4)
+        begin = builder.add(address, builder.mul(start, four))
+        vectors = []
+        for lane in range(lanes):
+            number = ir.Constant(_WORD, lane)
+            number = builder.select(builder.icmp_signed("<", number, end), number, end)
+            place = builder.inttoptr(builder.add(begin, builder.mul(number, step)), piece.as_pointer())
+            vectors.append(builder.load(place, align=4))
+        # Interleaving the first half with the second log2(lanes) times turns rows into columns.
+        while len(vectors) > 1:
+            half = len(vectors) // 2
+            vectors = [_interleaved(builder, a, b) for a, b in zip(vectors[:half], vectors[half:], strict=True)]
+        whole = vectors[0]  # number 0 of all lanes, number 1 of all lanes, ...
+        row = ir.VectorType(FLOAT, lanes)
+        for k in range(PIECE):
+            mask = ir.Constant(
+                ir.VectorType(ir.IntType(32), lanes), [ir.Constant(ir.IntType(32), k * lanes + n) for n in range(lanes)]
+            )
+            value = builder.shuffle_vector(whole, ir.Constant(whole.type, ir.Undefined), mask)
+            at = builder.mul(builder.add(start, ir.Constant(_WORD, k)), ir.Constant(_WORD, 4 * lanes))
+            builder.store(value, builder.inttoptr(builder.add(room, at), row.as_pointer()), align=4)
+        return context.get_dummy_value()
+
+    return types.void(source, stride, last, first, target), generate
+
+
+def _interleaved(builder: Any, a: Any, b: Any) -> Any:
+    size = a.type.count
+    order = [n for k in range(size) for n in (k, size + k)]
+    mask = ir.Constant(ir.VectorType(ir.IntType(32), 2 * size), [ir.Constant(ir.IntType(32), n) for n in order])
+    return builder.shuffle_vector(a, b, mask)
+
+
 def _parsed(program: str) -> tuple[list[str], list[list[str]]]:
     lines = [line.split() for line in program.strip().splitlines()]
     return lines[0], lines[1:]
 
 
-class _Writer:
+class _Writer(Lanes):
     """Writes a program's instructions with a builder."""
 
     def __init__(self, builder: Any, lanes: int, scalar: str, addresses: Mapping[str, Any]) -> None:
-        self.builder, self.lanes, self.addresses = builder, lanes, addresses
-        self.element = _SCALARS[scalar]
-        self.scalar = scalar
-        self.vector = ir.VectorType(self.element, lanes)
-        self.truth = ir.VectorType(ir.IntType(1), lanes)
-        self.precision = FLOAT32 if scalar == "F" else FLOAT64
+        super().__init__(builder, lanes, scalar)
+        self.addresses = addresses
 
     def run(self, lines: list[list[str]], indices: Mapping[str, Any]) -> dict[str, Any]:
         values: dict[str, Any] = {}
-        self._exponentials: dict[Any, tuple[Any, Any]] = {}
+        self._exponentials = {}
         for line in lines:
             if line[0] in ("put", "add"):
                 self._store(line[0], line[1], line[2], line[3], values[line[4]], indices)
@@ -109,7 +164,7 @@ class _Writer:
             elif op == "true":  # a truth value that was stored as a number
                 values[name] = self.builder.fcmp_unordered("!=", values[arguments[0]], self.number(0.0))
             else:
-                values[name] = self._operation(op, [values[a] for a in arguments])
+                values[name] = self.operation(op, [values[a] for a in arguments])
         return values
 
     # ------------------------------------------------------------ memory
@@ -133,12 +188,12 @@ class _Writer:
         return builder.inttoptr(at, kind.as_pointer())
 
     def _row(self, address: str, scalar: str, index: str, indices: Mapping[str, Any]) -> Any:
-        kind = ir.VectorType(_SCALARS[scalar], self.lanes)
+        kind = ir.VectorType(SCALARS[scalar], self.lanes)
         place = self.place(address, scalar, index, indices, kind)
         return self._cast(self.builder.load(place, align=4 if scalar == "F" else 8), scalar, self.scalar)
 
     def _splat(self, address: str, scalar: str, index: str, indices: Mapping[str, Any]) -> Any:
-        value = self.builder.load(self.place(address, scalar, index, indices, _SCALARS[scalar]))
+        value = self.builder.load(self.place(address, scalar, index, indices, SCALARS[scalar]))
         if scalar != self.scalar:
             value = (self.builder.fptrunc if self.scalar == "F" else self.builder.fpext)(value, self.element)
         one = self.builder.insert_element(ir.Constant(self.vector, ir.Undefined), value, ir.Constant(ir.IntType(32), 0))
@@ -159,73 +214,5 @@ class _Writer:
     def _cast(self, value: Any, scalar: str, wanted: str) -> Any:
         if scalar == wanted:
             return value
-        kind = ir.VectorType(_SCALARS[wanted], self.lanes)
+        kind = ir.VectorType(SCALARS[wanted], self.lanes)
         return (self.builder.fptrunc if wanted == "F" else self.builder.fpext)(value, kind)
-
-    # ------------------------------------------------------------ arithmetic
-
-    def number(self, value: float) -> Any:
-        return ir.Constant(self.vector, [ir.Constant(self.element, value)] * self.lanes)
-
-    def _operation(self, op: str, args: list[Any]) -> Any:
-        b = self.builder
-        if op in ("add", "sub", "mul", "div"):
-            return getattr(b, f"f{op}")(*args, flags=FLAGS)
-        if op in _COMPARISONS:
-            return b.fcmp_ordered(_COMPARISONS[op], *args)
-        if op == "neg":
-            return b.fneg(args[0], flags=FLAGS)
-        if op == "where":
-            return b.select(*args)
-        if op in ("minimum", "maximum"):
-            first = b.fcmp_ordered(">" if op == "minimum" else "<", args[0], args[1])
-            return b.select(first, args[1], args[0])
-        if op == "sqrt":
-            name = f"llvm.sqrt.v{self.lanes}f{32 if self.scalar == 'F' else 64}"
-            function = b.module.globals.get(name) or ir.Function(
-                b.module, ir.FunctionType(self.vector, [self.vector]), name
-            )
-            return b.call(function, args)
-        if op in ("exp", "expm1"):
-            return self._exponential(op, args[0])
-        raise ValueError(
-            f"no vector instructions are known for {op}"
-        )  # asin belongs to directions, which NumPy computes
-
-    def _exponential(self, op: str, x: Any) -> Any:
-        """As ``exp`` and ``expm1`` of `motes.printing.elementary`, which says how."""
-        b, p = self.builder, self.precision
-        if x not in self._exponentials:
-            self._exponentials[x] = self._exp_parts(x, p)
-        s, fraction = self._exponentials[x]
-        product = b.fmul(s, fraction, flags=FLAGS)
-        rest = s if op == "exp" else b.fsub(s, self.number(0.5), flags=FLAGS)
-        return b.fmul(self.number(2.0), b.fadd(product, rest, flags=FLAGS), flags=FLAGS)
-
-    def _exp_parts(self, x: Any, p: Precision) -> tuple[Any, Any]:
-        b, number = self.builder, self.number
-
-        def fused(a: Any, c: Any, d: Any) -> Any:
-            return b.fadd(b.fmul(a, c, flags=FLAGS), d, flags=FLAGS)
-
-        x = b.select(b.fcmp_ordered("<", x, number(p.lowest)), number(p.lowest), x)
-        x = b.select(b.fcmp_ordered(">", x, number(p.highest)), number(p.highest), x)
-        shifted = fused(x, number(1.4426950408889634), number(p.shift))
-        k = b.fsub(shifted, number(p.shift), flags=FLAGS)
-        r = b.fsub(
-            b.fsub(x, b.fmul(k, number(p.ln2[0]), flags=FLAGS), flags=FLAGS),
-            b.fmul(k, number(p.ln2[1]), flags=FLAGS),
-            flags=FLAGS,
-        )
-        width = 32 if self.scalar == "F" else 64
-        integer = ir.VectorType(ir.IntType(width), self.lanes)
-
-        def whole(value: int) -> Any:
-            return ir.Constant(integer, [ir.Constant(ir.IntType(width), value)] * self.lanes)
-
-        bits = b.add(b.bitcast(shifted, integer), whole(p.bias - 1))
-        s = b.bitcast(b.shl(bits, whole(p.fraction)), self.vector)
-        polynomial = number(p.exp[-1])
-        for c in p.exp[-2::-1]:
-            polynomial = fused(polynomial, r, number(c))
-        return s, fused(polynomial, b.fmul(r, r, flags=FLAGS), r)

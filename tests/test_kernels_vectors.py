@@ -1,0 +1,89 @@
+"""Vector instructions against NumPy: the losses' functions to the digits they state, and lanes brought into rows."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+numba = pytest.importorskip("numba")
+
+from numba.extending import intrinsic  # noqa: E402
+
+from motes.kernels import vectors  # noqa: E402
+
+LANES = 16
+scalars = pytest.mark.parametrize("scalar", ["float32", "float64"])
+
+
+def over(op: str, x: NDArray[Any]) -> NDArray[Any]:
+    """`op` of all numbers of x, by vectors."""
+    letter = "F" if x.dtype == np.float32 else "D"
+    program = f"x y\na = row x {letter} 0\nb = {op} a\nput y {letter} 0 b"
+
+    @intrinsic
+    def run(typing, x, y):  # type: ignore[no-untyped-def]
+        return vectors.rows(LANES, letter, program, x, y)
+
+    @numba.njit(error_model="numpy")
+    def call(x, y, blocks, size):  # type: ignore[no-untyped-def]
+        for k in range(blocks):
+            run(x + k * size, y + k * size)
+
+    padded = np.resize(x, -(-x.size // LANES) * LANES).astype(x.dtype)
+    result = np.empty_like(padded)
+    call(padded.ctypes.data, result.ctypes.data, len(padded) // LANES, LANES * x.itemsize)
+    return result[: x.size]
+
+
+def ulps(found: NDArray[Any], exact: NDArray[Any]) -> float:
+    """The largest error in units of the last place of the exact result."""
+    return float(np.max(np.abs(found - exact) / np.spacing(np.abs(exact).astype(found.dtype)).astype(exact.dtype)))
+
+
+@scalars
+def test_log1p_is_good_to_an_ulp_and_a_half(scalar: str) -> None:
+    rng = np.random.default_rng(2)
+    small = 10.0 ** rng.uniform(-30, -1, 40_000)
+    x = np.concatenate([rng.uniform(-0.99, 3, 40_000), 10.0 ** rng.uniform(-1, 30, 40_000), small, -small])
+    x = np.concatenate([x, 10.0 ** -rng.uniform(1, 6, 9999) - 1, [0.0, np.sqrt(0.5) - 1, np.sqrt(2) - 1]]).astype(scalar)
+    worst = ulps(over("log1p", x), np.log1p(x.astype(np.float64 if scalar == "float32" else np.longdouble)))
+    assert 0.4 < worst < 1.5
+
+
+@scalars
+def test_cbrt_is_good_to_an_ulp(scalar: str) -> None:
+    rng = np.random.default_rng(3)
+    end = 37.0 if scalar == "float32" else 307.0
+    x = np.concatenate([rng.uniform(-2, 2, 40_000), rng.choice([-1.0, 1.0], 80_000) * 10.0 ** rng.uniform(-end, end, 80_000)])
+    x = x.astype(scalar)
+    worst = ulps(over("cbrt", x), np.cbrt(x.astype(np.float64 if scalar == "float32" else np.longdouble)))
+    assert 0.4 < worst < 1
+
+
+@scalars
+def test_the_edges_of_log1p_and_cbrt(scalar: str) -> None:
+    x = np.array([0.0, -1.0, -1.5, np.inf, np.nan], scalar)
+    with np.errstate(all="ignore"):
+        np.testing.assert_array_equal(over("log1p", x), np.log1p(x))
+    x = np.array([0.0, np.nan, -8.0, np.finfo(scalar).tiny / 4], scalar)
+    np.testing.assert_array_equal(over("cbrt", x), np.array([0.0, np.nan, -2.0, 0.0], scalar))
+
+
+@pytest.mark.parametrize("last", [15, 6, 0])
+def test_lanes_are_brought_into_rows(last: int) -> None:
+    @intrinsic
+    def run(typing, source, stride, end, first, target):  # type: ignore[no-untyped-def]
+        return vectors.transposed(LANES, source, stride, end, first, target)
+
+    @numba.njit
+    def call(source, stride, end, first, target):  # type: ignore[no-untyped-def]
+        run(source, stride, end, first, target)
+
+    given = np.random.default_rng(4).normal(size=(last + 1, 29)).astype(np.float32)
+    found = np.zeros((29, LANES), np.float32)
+    for first in (0, 8, 16, 21):
+        call(given.ctypes.data, given.strides[0], last, first, found.ctypes.data)
+    np.testing.assert_array_equal(found, given[np.minimum(np.arange(LANES), last)].T)
