@@ -124,6 +124,7 @@ class Series:
 def _at(fitter: TexelSolver, coefficients: Floats, hour: float) -> Floats:
     """Parameter vectors (M, 6) at a time, by the trends themselves."""
     columns, first = [], 0
+    coefficients = fitter.coordinates(coefficients)
     for part in fitter.parts:
         own = coefficients[:, first : first + part.size]
         trends = [part.trend(row)(hour) for row in own]

@@ -43,7 +43,7 @@ def solver() -> TexelSolver:
 
 def directly(fitter: TexelSolver, values: NDArray[Any], starts: Floats) -> TexelFit:
     """Fit by the kernel that sums residuals themselves, which `fit` takes for texels that a clamp of the model touches."""
-    raw: Raw = fitter._solver("direct").fit(values, np.clip(starts, *fitter.bounds))
+    raw: Raw = fitter.kernel("direct").fit(values, fitter.coordinates(np.clip(starts, *fitter.bounds)))
     return fitter.finished(raw)
 
 

@@ -48,7 +48,9 @@ def test_log1p_is_good_to_an_ulp_and_a_half(scalar: str) -> None:
     rng = np.random.default_rng(2)
     small = 10.0 ** rng.uniform(-30, -1, 40_000)
     x = np.concatenate([rng.uniform(-0.99, 3, 40_000), 10.0 ** rng.uniform(-1, 30, 40_000), small, -small])
-    x = np.concatenate([x, 10.0 ** -rng.uniform(1, 6, 9999) - 1, [0.0, np.sqrt(0.5) - 1, np.sqrt(2) - 1]]).astype(scalar)
+    x = np.concatenate([x, 10.0 ** -rng.uniform(1, 6, 9999) - 1, [0.0, np.sqrt(0.5) - 1, np.sqrt(2) - 1]]).astype(
+        scalar
+    )
     worst = ulps(over("log1p", x), np.log1p(x.astype(np.float64 if scalar == "float32" else np.longdouble)))
     assert 0.4 < worst < 1.5
 
@@ -57,7 +59,9 @@ def test_log1p_is_good_to_an_ulp_and_a_half(scalar: str) -> None:
 def test_cbrt_is_good_to_an_ulp(scalar: str) -> None:
     rng = np.random.default_rng(3)
     end = 37.0 if scalar == "float32" else 307.0
-    x = np.concatenate([rng.uniform(-2, 2, 40_000), rng.choice([-1.0, 1.0], 80_000) * 10.0 ** rng.uniform(-end, end, 80_000)])
+    x = np.concatenate(
+        [rng.uniform(-2, 2, 40_000), rng.choice([-1.0, 1.0], 80_000) * 10.0 ** rng.uniform(-end, end, 80_000)]
+    )
     x = x.astype(scalar)
     worst = ulps(over("cbrt", x), np.cbrt(x.astype(np.float64 if scalar == "float32" else np.longdouble)))
     assert 0.4 < worst < 1

@@ -111,7 +111,9 @@ def test_every_offered_page_has_a_writer_for_the_class_that_asks_for_it() -> Non
         kinds[name] = parameters[0].annotation
     assert len(set(kinds.values())) == len(kinds) == 3
     for name, kind in kinds.items():
-        assert f'outlets.report("{name}", self, path)' in inspect.getsource(kind.report)
+        asked = name if getattr(kind, "kind", None) == name else f'"{name}"'
+        call = f"outlets.report({'self.kind' if asked == name else asked}, self, path)"
+        assert call in inspect.getsource(kind.report)
 
 
 DOCUMENTS = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]

@@ -1,7 +1,8 @@
 """Array namespaces: the eight functions that the equations need, for every library whose arrays Motes accepts.
 
 `equations.py` is written over a namespace ``xp`` that offers ``sqrt, exp, expm1, asin, minimum, maximum, where`` (and
-arithmetic and comparisons on its arrays), nothing else.  Sampling needs ``sin, cos, log`` and ``stack`` too.
+arithmetic and comparisons on its arrays), nothing else.  Sampling needs ``sin, cos, log`` and ``stack`` too, and the
+losses of fits, over NumPy, ``log1p`` and ``cbrt``.
 `namespace` chooses from the types of the inputs, so that NumPy in means NumPy out, and a tensor in means a tensor of
 the same library, with its gradient, out.
 
@@ -36,6 +37,8 @@ NUMPY = SimpleNamespace(
     exp=_weak(np.exp),
     expm1=_weak(np.expm1),
     asin=_weak(np.arcsin),
+    log1p=_weak(np.log1p),
+    cbrt=_weak(np.cbrt),
     minimum=_weak(np.minimum),
     maximum=_weak(np.maximum),
     where=_weak(np.where),

@@ -192,7 +192,11 @@ def _ending(result: Fit | TimeFit, effort: str) -> list[Row]:
     chi = result.metrics.get("reduced_chi_square")
     return [
         ("relative RMS", f"{100 * result.metrics['relative_rms']:.2f} %, unweighted (the loss was {loss})"),
-        *([("chi-square", f"{chi:.3g} for each degree of freedom, by the data's uncertainties")] if chi is not None else []),
+        *(
+            [("chi-square", f"{chi:.3g} for each degree of freedom, by the data's uncertainties")]
+            if chi is not None
+            else []
+        ),
         ("masked", f"{masked} of {of}: {reasons}" if masked else f"none of {of}"),
         ("status", f"{result.status} ({effort})"),
     ]

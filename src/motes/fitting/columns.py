@@ -27,6 +27,8 @@ class Columns(NamedTuple):
         1 where the parameter may be negative: then an error is not judged against the value.
     squared
         1 where the coordinate is the square of the parameter.
+    rest
+        Where a parameter stands that the data do not see: its default, in that coordinate.
     fixed
         1 for what is held in all lanes.
     """
@@ -38,6 +40,7 @@ class Columns(NamedTuple):
     most: Array
     signed: Array
     squared: Array
+    rest: Array
     fixed: Array
 
 
@@ -67,6 +70,8 @@ def columns_of(
     square = np.array([bool(p and p.squared) for p in declared] if squared is None else squared)
     span = np.where(square, most**2 - least**2, most - least)
     signed = [float(p is None or p.bounds[0] < 0) for p in declared]
+    default = np.array([p.default if p else 0.5 * (a + b) for p, a, b in zip(declared, low, high, strict=True)], float)
+    rest = np.clip(np.where(square, default**2, default), low, high)
     held = np.zeros(len(low)) if fixed is None else fixed
-    rows = (low, high, span, least, most, signed, square, held)
+    rows = (low, high, span, least, most, signed, square, rest, held)
     return Columns(*(np.asarray(row, float)[:, None] for row in rows))

@@ -13,6 +13,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import numpy as np
+
 from motes.arrays import Array
 from motes.fitting.algebra import Algebra, absolute, flag, outer
 from motes.fitting.columns import Columns
@@ -21,6 +23,8 @@ from motes.fitting.verdicts import Verdict
 # A parameter that, moved by the whole of its typical range, changes the residuals by less than this share of the data is
 # not seen.
 UNSEEN = 1e-6
+# What leaves an objective alone changes it by no more than this share.
+SAME = 1e-6
 # The data see only sums of parameters where the variance of one grows by more than this for not knowing the others.
 MOST_INFLATION = 1e6
 # A parameter at a bound is held there by the data when they push it out by more than so many standard errors.
@@ -71,6 +75,16 @@ def standing(algebra: Algebra, x: Array, matrix: Array, columns: Columns, bright
     return Standing(at_low, at_high, unseen, (1.0 - at_low) * (1.0 - at_high) * (1.0 - unseen) * (1.0 - columns.fixed))
 
 
+def rested(algebra: Algebra, x: Array, unseen: Array, columns: Columns) -> Array:
+    """The solution with what the data do not see at its default: the errors of the others may depend on where it stands."""
+    return algebra.where(algebra.less(0.5 + 0.0 * x, unseen * (1.0 - columns.fixed)), columns.rest + 0.0 * x, x)
+
+
+def alike(algebra: Algebra, objective: Array, trial: Array) -> Array:
+    """1 where an objective is no larger at another point."""
+    return flag(algebra, algebra.less(trial, objective * (1.0 + SAME) + 1e-300))
+
+
 def correlation(algebra: Algebra, matrix: Array, among: Array) -> tuple[Array, Array]:
     """The matrix scaled to a diagonal of 1 among some parameters, rows of the unit matrix elsewhere; and the scale (P, B)."""
     scale = among / algebra.sqrt(algebra.maximum(algebra.diagonal(matrix), 1e-300))
@@ -102,24 +116,26 @@ def loose(
 
     The errors of the others must hold for any value that such a parameter may have: at n = 4 the height of a highlight
     seems known, and yet n and the height are not, where F hardly changes over the data.  The push against the bound is a sum
-    over the data, whose variance M tells.
+    over the data, whose variance M tells.  Kernels make this loop of their own.
     """
     found = []
     for k in range(len(gradient)):
-        projected = -algebra.times(inverse, matrix[k]) * free  # the others give way
-        projected[k] = projected[k] * 0.0 + 1.0
-        push = algebra.total(projected * gradient)
-        variance = algebra.total(projected * algebra.times(middle, projected))
-        most = FIRM * algebra.sqrt(algebra.maximum(variance, 0.0))
-        found.append(bounded[k] * (1.0 - flag(algebra, algebra.less(most, absolute(algebra, push)))))
-    return _stacked(gradient, found)
+        unit = 0.0 * gradient
+        unit[k] = unit[k] + 1.0
+        firm = pushed_out(algebra, unit, gradient, matrix[k], inverse, middle, free)
+        found.append(bounded[k] * (1.0 - firm))
+    return np.stack(found)
 
 
-def _stacked(like: Array, rows: list[Array]) -> Array:
-    result = like.copy()
-    for k, row in enumerate(rows):
-        result[k] = row[0] if like.ndim == 1 else row  # a formula is in an array of one
-    return result
+def pushed_out(
+    algebra: Algebra, unit: Array, gradient: Array, column: Array, inverse: Array, middle: Array, free: Array
+) -> Array:
+    """1 where the data push a parameter by more than noise would (B,): the parameter of a unit vector, and its column of H (P, B)."""
+    projected = -algebra.times(inverse, column) * free * (1.0 - unit) + unit  # the others give way
+    push = algebra.total(projected * gradient)
+    variance = algebra.total(projected * algebra.times(middle, projected))
+    most = FIRM * algebra.sqrt(algebra.maximum(variance, 0.0))
+    return flag(algebra, algebra.less(most, absolute(algebra, push)))
 
 
 def errors(

@@ -32,6 +32,8 @@ PATIENCE, HARDLY = 8.0, 100.0
 SMALL_STEP = 1e-9
 # An objective below this is zero.
 PERFECT = 1e-30
+# A step from the solution that promises more than this share of the objective is none: the gradient that asks for it is rounding.
+LAST_REDUCTION = 1e-4
 # How often a step is solved for again because something left the box.
 ROUNDS = 3
 
@@ -194,3 +196,26 @@ def judged(
         algebra.where(taken, FIRST_GROWTH, 2.0 * growth),
         algebra.where(taken, algebra.where(shrunk, 0.0, idle + 1.0), idle),
     )
+
+
+def polished(
+    algebra: Algebra,
+    x: Array,
+    objective: Array,
+    ending: Array,
+    gradient: Array,
+    inverse: Array,
+    among: Array,
+    low: Array,
+    high: Array,
+) -> Array:
+    """The point (P, B) one full step on from where a fit ended, by a gradient that is sure to more digits than those of the fit.
+
+    Only lanes that ended by themselves move, and only what is in `among`, with the `inverse` of its matrix.
+    """
+    step = -algebra.times(inverse, gradient) * among
+    promised = -0.5 * algebra.total(step * gradient)
+    zero = 0.0 * objective
+    small = flag(algebra, algebra.less(promised, LAST_REDUCTION * objective + zero))
+    converged = flag(algebra, algebra.less(0.5 + zero, ending)) * flag(algebra, algebra.less(ending, 4.5 + zero))
+    return algebra.minimum(algebra.maximum(x + step * (small * converged), low), high)

@@ -32,11 +32,15 @@ SMALLEST = 1e-6
 class Functions(Protocol):
     """The array namespace that losses are written over: `numpy`, or a graph (`motes.graph.tracing.Graph`)."""
 
-    sqrt: Callable[[Any], Any]
-    log1p: Callable[[Any], Any]
-    cbrt: Callable[[Any], Any]
-    maximum: Callable[[Any, Any], Any]
-    where: Callable[[Any, Any, Any], Any]
+    def sqrt(self, x: Any, /) -> Any: ...
+
+    def log1p(self, x: Any, /) -> Any: ...
+
+    def cbrt(self, x: Any, /) -> Any: ...
+
+    def maximum(self, a: Any, b: Any, /) -> Any: ...
+
+    def where(self, condition: Any, a: Any, b: Any, /) -> Any: ...
 
 
 @dataclass(frozen=True)

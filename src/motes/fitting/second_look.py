@@ -11,12 +11,16 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from motes.arrays import Array
+from motes.fitting.algebra import Algebra, flag
 from motes.fitting.columns import Columns
-from motes.fitting.covariance import FIRM, IDENTIFIED, UNSEEN, WEAK
+from motes.fitting.covariance import FIRM, IDENTIFIED, UNSEEN, WEAK, own_value
 from motes.fitting.losses import Floats
 
 # With a standard error beyond this share of its typical range, a parameter is tried half the range away as well.
 DOUBTFUL = 0.1
+# A parameter may as well be absent when it is within so many standard errors of its lower bound.
+NEAR = 4.0
 # What a refit needs no more than: a rough end is enough to tell.
 REFIT_ITERATIONS, REFIT_REDUCTION = 30, 1e-5
 
@@ -75,6 +79,15 @@ def look_again(
     _borne_by_doubt(solved, columns, groups, refit, diagonal)
 
 
+def asks(algebra: Algebra, value: Array, stderr: Array, columns: Columns) -> Array:
+    """1 where `look_again` may change a verdict (B,): an error is large, or a parameter may as well be absent; values in their own units."""
+    absent = own_value(algebra, columns.low, columns.squared)
+    span = columns.most - columns.least
+    doubtful = flag(algebra, algebra.less(DOUBTFUL * span + 0.0 * stderr, stderr))
+    near = 1.0 - flag(algebra, algebra.less(NEAR * stderr, value - absent))  # also where there is no error
+    return algebra.largest(algebra.maximum(doubtful, near))
+
+
 def _as_good_elsewhere(solved: Solved, columns: Columns, refit: Refit) -> None:
     """What the data allow to be half its typical range away, when all others are fitted again there.
 
@@ -111,7 +124,7 @@ def _borne_by_doubt(
     span, low = columns.span[:, 0], columns.low[:, 0]
     for group in groups:
         absent = np.where(columns.squared[group, 0] > 0, np.sqrt(np.maximum(low[group], 0)), low[group])
-        near = ~(solved.value[:, group] - absent > 4 * solved.stderr[:, group])  # also where there is no error
+        near = ~(solved.value[:, group] - absent > NEAR * solved.stderr[:, group])  # also where there is no error
         identified = solved.verdicts == int(IDENTIFIED)
         fits = np.flatnonzero(
             near.any(axis=1) & ~(solved.x[:, group] <= low[group]).all(axis=1) & identified.any(axis=1)

@@ -22,7 +22,7 @@ from motes.fitting.result import Fit, FittedParameter, Trial
 from motes.fitting.setup import prepare, sample_weights
 from motes.fitting.solver import Solution
 from motes.fitting.starts import starting_points
-from motes.fitting.uncertainty import uncertainty
+from motes.fitting.uncertainty import at_rest, uncertainty
 from motes.fitting.verdicts import Status, Verdict
 from motes.material import Material
 from motes.measurements import Measurement
@@ -112,7 +112,7 @@ class _Attempt:
                 "Measure more directions, or fit a smaller model",
             )
         self.solution = self._solve(self._vector(start) if start else None, near)
-        self.x = self.solution.x[self.solution.best()]
+        self.x = at_rest(self.problem, self.solution.x[self.solution.best()])
         self.objective = float(self.solution.normal.objective.min())
         bright = float(self.problem.brightness().sum())
         self.bic = bic(self.objective, self.problem.samples, self.problem.size, bright)

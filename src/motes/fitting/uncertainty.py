@@ -81,8 +81,22 @@ class Uncertainty(NamedTuple):
             return self.covariance / np.outer(root, root)
 
 
+def at_rest(objective: Objective, x: Floats) -> Floats:
+    """The solution `x` (P,) with what the data do not see at its default, where the others fit as well beside that."""
+    at, columns = objective.normal(x[None]), objective.columns
+    bright = np.atleast_1d(objective.brightness().sum())
+    with np.errstate(all="ignore"):
+        unseen = steps.standing(ARRAYS, x[:, None], np.moveaxis(at.matrix, 0, 2), columns, bright).unseen
+        rested = steps.rested(ARRAYS, x[:, None], unseen, columns)[:, 0]
+        if np.array_equal(rested, x):
+            return x
+        alike = steps.alike(ARRAYS, at.objective, objective.normal(rested[None]).objective)
+    return rested if alike[0] > 0 else x
+
+
 def uncertainty(objective: Objective, x: Floats) -> Uncertainty:
     """The uncertainty of the solution `x` (P,); see `motes.fitting.covariance`."""
+    x = at_rest(objective, x)
     columns, bright = objective.columns, np.atleast_1d(objective.brightness().sum())
     at = objective.normal(x[None])
     gradient = at.gradient.T

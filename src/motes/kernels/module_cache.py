@@ -53,7 +53,7 @@ def compiled_module(
     import llvmlite
     import numba
 
-    from motes.kernels import intrinsics, vectors
+    from motes.kernels import intrinsics, vector_functions, vectors
     from motes.version import __version__
 
     versions = [
@@ -64,7 +64,7 @@ def compiled_module(
         platform.python_version(),
         platform.machine(),
     ]
-    used = [Path(m.__file__ or "").read_text(encoding="utf-8") for m in (intrinsics, vectors, *uses)]
+    used = [Path(m.__file__ or "").read_text(encoding="utf-8") for m in (intrinsics, vectors, vector_functions, *uses)]
     basis = [source, *versions, *used]
     name = "motes_" + hashlib.sha256("\0".join(basis).encode()).hexdigest()[:24]
     folder = cache_folder()

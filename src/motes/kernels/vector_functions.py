@@ -153,9 +153,7 @@ class Lanes:
         m = b.bitcast(b.add(fraction, self.whole(half_root)), self.vector)
         k = b.sitofp(exponent, self.vector)
         near = b.icmp_signed("==", exponent, self.whole(0))
-        lost = b.select(
-            b.fcmp_ordered(">", x, one), self._sub(one, self._sub(u, x)), self._sub(x, self._sub(u, one))
-        )
+        lost = b.select(b.fcmp_ordered(">", x, one), self._sub(one, self._sub(u, x)), self._sub(x, self._sub(u, one)))
         c = b.select(near, number(0.0), self._div(lost, u))
         f = b.select(near, x, self._sub(m, one))
         s = self._div(f, self._add(number(2.0), f))

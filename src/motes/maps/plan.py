@@ -284,7 +284,7 @@ def _for_model(settings: Settings, text: str) -> Settings:
 def _bic(solver: TexelSolver, rows: Singles, starts: NDArray[np.float64]) -> float:
     """The sum over texels of n log(residual) + P log(n): smaller is better."""
     fit = solver.fit(rows, starts)
-    samples = np.isfinite(rows).all(axis=-1).reshape(len(rows), -1).sum(axis=1) * solver.channels
+    samples = np.isfinite(rows).reshape(len(rows), -1).sum(axis=1)
     good = np.isfinite(fit.relative_rms) & (samples > solver.size)
     residual = np.maximum(fit.relative_rms[good].astype(float), 1e-6)
     n = samples[good]

@@ -103,7 +103,9 @@ def _headline(context: Context) -> Html:
     missed = findings.misses(context.samples, context.near)
     lead = (findings.verdict(fit), " ", findings.determined(fit), f" {missed}" if missed else None)
     words = f"A sphere of the fitted material, lit {LIGHTS['three-quarter'].words}"
-    return headline((context.spheres["three-quarter"], words), data.name, fit.brdf.in_words(), lead, facts, fit.findings)
+    return headline(
+        (context.spheres["three-quarter"], words), data.name, fit.brdf.in_words(), lead, facts, fit.findings
+    )
 
 
 def _spheres(fit: Fit) -> tuple[dict[str, str], str]:

@@ -1,0 +1,248 @@
+"""The text of a module's functions that are the same for every model: Numba, over addresses (integers); see `motes.fitting.printed.driver`."""
+
+from __future__ import annotations
+
+CLEAR = """
+@part
+def clear(rows, count):
+    for n in range(count * LANES):
+        store(D, rows, n, D(0.0), "clear", 0, 1)
+"""
+
+LOAD = """
+@part
+def load_block(source, stride, last, given, samples, times, columns, row, data, raw):
+    numbers = given * CHANNELS
+    for t in range(times):
+        at, block = source + 4 * numbers * t, data + 4 * LANES * WIDTH * samples * t
+        for first in range(0, numbers - vectors.PIECE + 1, vectors.PIECE):
+            transposed(at, stride, last, first, raw)
+        if numbers >= vectors.PIECE:
+            transposed(at, stride, last, numbers - vectors.PIECE, raw)
+        else:
+            for k in range(numbers):
+                for n in range(LANES):
+                    store(F, raw, k * LANES + n, load(F, at + min(n, last) * stride, k, "other", 1), "plain", 0, 1)
+        stored(columns, row, raw, given, block)
+        for n in range(given * WIDTH * LANES, samples * WIDTH * LANES):
+            store(F, block, n, BLANK, "plain", 0, 1)
+"""
+
+PASS = """
+@part
+def {name}(x, room, own, columns, row, basis, times, samples, data{total}):
+    parameters, slopes, constants, wide = room + AT_PARAMETERS, room + AT_SLOPES, room + AT_CONSTANTS, room + AT_WIDE
+    summed, normal = room + AT_SUMMED, room + AT_NORMAL
+    {before}
+    for t in range(times):
+        {body}
+"""
+
+CLOSING = """
+@part
+def any_of(rows):
+    total = D(0.0)
+    for n in range(LANES):
+        total += load(D, rows, n, "other", 1)
+    return total > D(0.0)
+
+
+@part
+def closing(x, room, own, box, columns, row, basis, times, samples, data, roughly, whole):
+    parameters, slopes, constants, wide = room + AT_PARAMETERS, room + AT_SLOPES, room + AT_CONSTANTS, room + AT_WIDE
+    normal, curved, leverage, middle = room + AT_NORMAL, room + AT_CURVED, room + AT_LEVERAGE, room + AT_MIDDLE
+    stand, among, blurred, now_blurred = room + AT_STAND, room + AT_AMONG, room + AT_BLURRED, room + AT_NOW_BLURRED
+    loose, unit, column, noise = room + AT_LOOSE, room + AT_UNIT, room + AT_COLUMN, room + AT_NOISE
+    inverse, wider, covariance, found = room + AT_INVERSE, room + AT_WIDER, room + AT_COVARIANCE, room + AT_FOUND
+    matrix, point = x + 8 * LANES * (SIZE + 2 + SIZE), room + AT_POINT
+    gradient, spread = middle + 16 * LANES, middle + 8 * LANES * (2 + SIZE)
+    free = stand + 8 * LANES * 3 * SIZE
+    {curving}
+    if roughly:
+        for k in range(SIZE):
+            for n in range(LANES):
+                store(D, found, k * LANES + n, load(D, curvature, (k * (k + 1) // 2 + k) * LANES + n, "other", 1), "plain", 0, 1)
+        return
+    standing_at(x, curvature, x + 8 * LANES * (SIZE + ROWS + BRIGHTNESS), box, stand)
+    clear(loose, SIZE)
+    clear(blurred, SIZE + 1)
+    for again in range(2):  # what is only seen in sums is left out the second time
+        among_at(free, blurred, loose, among)
+        inverse_at(curvature, among, blurred, inverse, now_blurred)
+        blurred, now_blurred = now_blurred, blurred
+        if not any_of(blurred + 8 * LANES * SIZE):
+            break
+    among_at(free, blurred, loose, among)
+    clear(middle, ROWS + 1)
+    for t in range(times):
+        {middle}
+    polished(x, x + 8 * LANES * (SIZE + ROWS + ENDING), gradient, inverse, among, box, point)
+    if whole:
+        sandwich_at(inverse, spread, covariance)
+    else:
+        variances_at(inverse, spread, covariance)
+    noise_at(curvature, spread, among, noise)
+    wide_inverse, wider_blurred, some = inverse, blurred, False
+    for k in range(SIZE):
+        if not (any_of(stand + 8 * LANES * k) or any_of(stand + 8 * LANES * (SIZE + k))):
+            continue
+        for i in range(SIZE):
+            for n in range(LANES):
+                at = i * (i + 1) // 2 + k if k <= i else k * (k + 1) // 2 + i
+                store(D, column, i * LANES + n, load(D, curvature, at * LANES + n, "other", 1), "plain", 0, 1)
+                store(D, unit, i * LANES + n, D(1.0) if i == k else D(0.0), "plain", 0, 1)
+        push_at(unit, gradient, column, inverse, spread, among, loose + 8 * LANES * SIZE)
+        for n in range(LANES):
+            bounded = load(D, stand, k * LANES + n, "other", 1) + load(D, stand, (SIZE + k) * LANES + n, "other", 1)
+            here = bounded * (D(1.0) - load(D, loose, SIZE * LANES + n, "other", 1))
+            store(D, loose, k * LANES + n, here, "plain", 0, 1)
+            some = some or here > D(0.0)
+    if some:
+        among_at(free, blurred, loose, among)
+        clear(now_blurred, SIZE)
+        inverse_at(curvature, among, now_blurred, wider, room + AT_WIDER_BLURRED)
+        wide_inverse, wider_blurred = wider, room + AT_WIDER_BLURRED
+    errors_at(point, stand, covariance, wide_inverse, noise, loose, blurred, wider_blurred, box, found)
+"""
+
+# Whether a texel has a sample with some of its channels only, which sums over whole samples leave out.
+PARTIAL = """if running > D(0.0) and used < whole:
+                for s in range(times * given):
+                    there = 0
+                    for c in range(CHANNELS):
+                        v = load(F, values + 4 * (texel * times * given + s) * CHANNELS, c, "other", 1)
+                        there += v - v == F(0.0)
+                    if there > 0 and there < CHANNELS:
+                        running = D(0.0)
+                if running == D(0.0) and n < count:
+                    store(D, states, texel * STATE + 11, D(1.0), "plain", 0, 1)"""
+
+RESIDUALS = """if out != 0:
+            block = out + 4 * LANES * CHANNELS * given * times * (first // LANES)
+            residuals(state, room, own, columns, row, basis, times, samples, data, given, block)"""
+
+# Addresses are integers.  `values` are float32 (texel, time, sample, channel); `columns` rows of `row` items; `points` and `held` (texel,
+# coefficient), `noise` (texel,) and `states` (texel, STATE) float64, of which `held` and `noise` may be the same for all (a step of 0); `box`
+# as `motes.fitting.printed.judging.BOX`.  What comes out, when `close` is 1: `found` and `errors` (texel, coefficient) float32, `codes` likewise uint8,
+# for a texel without a fit NaN and NONE; and covariances (texel, TRIANGLE) float32 where that is an address.  When it is 2: the diagonal
+# of the curvature in `points`.
+FIT = """
+@numba.njit("void(<SIGNATURE>)", cache=True, nogil=True, **options)
+def fit(
+    values, times, given, samples, columns, row, basis, box, texels, points, states, held_at, held_step, noise, noise_step,
+    limit, leave, close, found, errors, codes, covariances, out, room,
+):
+    data = room + AT_OPENED + 8 * LANES * OPENING * times
+    raw = data + 4 * LANES * WIDTH * samples * times
+    own, fresh, trial = room + AT_OWN, room + AT_FRESH, room + AT_TRIAL
+    whole = load(D, box, 2 * SIZE + 2, "other", 1)
+    after = SIZE + ROWS
+    for first in range(0, texels, LANES):
+        state, next_state = room + AT_STATE, room + AT_NEXT_STATE
+        stops, next_stops = room + AT_STOPS, room + AT_NEXT_STOPS
+        count = min(LANES, texels - first)
+        stride = 4 * times * given * CHANNELS
+        load_block(values + first * stride, stride, count - 1, given, samples, times, columns, row, data, raw)
+        clear(room + AT_OPENED, OPENING * times)
+        for t in range(times):
+            opened = room + AT_OPENED + 8 * LANES * OPENING * t
+            opening_sums(columns, row, room + AT_CONSTANTS, data + 4 * LANES * WIDTH * samples * t, samples, opened)
+        # ---- where the lanes start
+        for n in range(LANES):
+            texel = first + min(n, count - 1)
+            for k in range(SIZE):
+                store(D, state, k * LANES + n, load(D, points, texel * SIZE + k, "other", 1), "plain", 0, 1)
+                store(D, own, k * LANES + n, load(D, held_at, texel * held_step + k, "other", 1), "plain", 0, 1)
+            store(D, own, SIZE * LANES + n, load(D, noise, texel * noise_step, "other", 1), "plain", 0, 1)
+            for k in range(BRIGHTNESS):
+                store(D, state, (after + k) * LANES + n, load(D, states, texel * STATE + k, "other", 1), "plain", 0, 1)
+            brightness, used = D(0.0), D(0.0)
+            for t in range(times):
+                opened = room + AT_OPENED + 8 * LANES * OPENING * t
+                brightness += load(D, opened, n, "other", 1)
+                used += load(D, opened, LANES + n, "other", 1)
+            store(D, state, (after + BRIGHTNESS) * LANES + n, brightness, "plain", 0, 1)
+            running = load(D, state, (after + RUNNING) * LANES + n, "other", 1)
+            <PARTIAL>
+            if n >= count or brightness == D(0.0) or used <= SIZE:
+                running = D(0.0)
+            store(D, state, (after + RUNNING) * LANES + n, running, "plain", 0, 1)
+            if n < count:
+                store(D, states, texel * STATE + 6, used, "plain", 0, 1)
+                store(D, states, texel * STATE + 7, brightness, "plain", 0, 1)
+        normal_equations(state, room, own, columns, row, basis, times, samples, data, state + 8 * LANES * SIZE)
+        for iteration in range(limit):
+            running = 0
+            for n in range(LANES):
+                running += load(D, state, (after + RUNNING) * LANES + n, "other", 1) > D(0.0)
+            few = min(leave, count // 2) if iteration >= LONG else 0
+            if running <= few:
+                break
+            held(state, box, own, stops)
+            for again in range(ROUNDS):
+                bounded_step(state, box, stops, next_stops)
+                stops, next_stops = next_stops, stops
+                leaving = D(0.0)
+                for n in range(LANES):
+                    leaving += load(D, stops, 2 * SIZE * LANES + n, "other", 1)
+                if not leaving > D(0.0):
+                    break
+            proposal(state, box, stops, trial)
+            going = 0
+            for n in range(LANES):
+                on = load(D, state, (after + RUNNING) * LANES + n, "other", 1) > D(0.0)
+                going += on and load(D, trial, (SIZE + 1) * LANES + n, "other", 1) == D(0.0)
+            if going <= few:  # the others' next block looks at the data for them
+                ended(state, trial, next_state)
+                state, next_state = next_state, state
+                break
+            normal_equations(trial, room, own, columns, row, basis, times, samples, data, fresh)
+            judged(state, box, trial, fresh, next_state)
+            state, next_state = next_state, state
+        for n in range(count):
+            texel = first + n
+            for k in range(SIZE):
+                store(D, points, texel * SIZE + k, load(D, state, k * LANES + n, "other", 1), "plain", 0, 1)
+            for k in range(BRIGHTNESS):
+                store(D, states, texel * STATE + k, load(D, state, (after + k) * LANES + n, "other", 1), "plain", 0, 1)
+            store(D, states, texel * STATE + 10, load(D, state, SIZE * LANES + n, "other", 1), "plain", 0, 1)
+        <RESIDUALS>
+        if close == 0:
+            continue
+        if close == 1:  # what the data do not see goes to its default
+            rest_at(state, state + 8 * LANES * (SIZE + 2 + SIZE), state + 8 * LANES * (after + BRIGHTNESS), box, trial)
+            if any_of(trial + 8 * LANES * SIZE):
+                normal_equations(trial, room, own, columns, row, basis, times, samples, data, fresh)
+                rested(state, trial, fresh, next_state)
+                state, next_state = next_state, state
+        closing(state, room, own, box, columns, row, basis, times, samples, data, close == 2, covariances != 0)
+        middle, results, noise_here = room + AT_MIDDLE, room + AT_FOUND, room + AT_NOISE
+        for n in range(count):
+            texel = first + n
+            if close == 2:
+                for k in range(SIZE):
+                    store(D, points, texel * SIZE + k, load(D, results, k * LANES + n, "other", 1), "plain", 0, 1)
+                continue
+            squares = load(D, middle, n, "other", 1)
+            used, brightness = load(D, states, texel * STATE + 6, "other", 1), load(D, states, texel * STATE + 7, "other", 1)
+            store(D, states, texel * STATE + 8, squares, "plain", 0, 1)
+            store(D, states, texel * STATE + 9, load(D, middle, ROWS * LANES + n, "other", 1), "plain", 0, 1)
+            store(D, states, texel * STATE + 12, load(D, noise_here, n, "other", 1), "plain", 0, 1)
+            there = squares - squares == D(0.0) and brightness > D(0.0) and used > SIZE
+            for k in range(SIZE):
+                value = load(D, results, k * LANES + n, "other", 1)
+                there = there and value - value == D(0.0)
+            store(D, states, texel * STATE + 13, load(D, results, 3 * SIZE * LANES + n, "other", 1) if there else D(0.0), "plain", 0, 1)
+            for k in range(SIZE):
+                store(D, points, texel * SIZE + k, load(D, room + AT_POINT, k * LANES + n, "other", 1), "plain", 0, 1)
+                value = load(D, results, k * LANES + n, "other", 1) if there else D(np.nan)
+                error = load(D, results, (SIZE + k) * LANES + n, "other", 1) if there else D(np.nan)
+                code = load(D, results, (2 * SIZE + k) * LANES + n, "other", 1) if there else D(NONE)
+                store(F, found, texel * SIZE + k, F(value), "plain", 0, 1)
+                store(F, errors, texel * SIZE + k, F(error), "plain", 0, 1)
+                store(np.uint8, codes, texel * SIZE + k, np.uint8(code), "plain", 0, 1)
+            if covariances != 0:
+                for k in range(TRIANGLE):
+                    value = load(D, room + AT_COVARIANCE, k * LANES + n, "other", 1)
+                    store(F, covariances, texel * TRIANGLE + k, F(value), "plain", 0, 1)
+"""

@@ -1,0 +1,116 @@
+"""The iteration of `motes.fitting.levenberg`, as functions of rows."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from motes.fitting import covariance, levenberg
+from motes.fitting.printed.formulas import Formulas, triangle_of
+from motes.fitting.printed.rows import Rows, Target, Uniform, lane_function
+
+#: What follows the point and its normal equations in the rows of a block's state.
+SCALARS = ("damping", "growth", "idle", "running", "iterations", "ending", "brightness")
+# Less than this share of the data's square says nothing: residuals are differences of numbers in float32, moments are sums of float64 in the end.
+LEAST_NOISE = {"direct": 1e-10, "moments": 1e-12}
+
+
+def step_functions(size: int, form: str) -> list[str]:
+    """``held``, ``bounded_step``, ``proposal``, ``ended``, ``judged``, ``rested`` and ``polished`` for so many coefficients, in a form of the normal equations.
+
+    Their rows: ``state`` (the point, normal equations, `SCALARS`), ``own`` (1 for each coefficient that the texel holds), ``stops`` (what is
+    stopped, the step, how many left the box), ``trial`` (a point, what it promises, why it is the last), ``fresh`` (normal
+    equations there).  Normal equations are the objective, its terms, gradient and matrix.
+    """
+    algebra = Formulas()
+    graph = algebra.graph
+    x, gradient, matrix = algebra.vector("x", size), algebra.vector("gradient", size), algebra.matrix("matrix", size)
+    objective, terms = algebra.number("objective"), algebra.number("terms")
+    normal = [objective[0], terms[0], *gradient, *triangle_of(matrix)]
+    scalars = [algebra.number(name) for name in SCALARS]
+    damping, growth, idle, running, iterations, ending, brightness = scalars
+    low, high, fixed = (algebra.vector(name, size) for name in ("low", "high", "fixed"))
+    reduction, rounding = algebra.number("reduction"), algebra.number("rounding")
+    noise = rounding * terms + LEAST_NOISE[form] * brightness
+    state = Rows("state", "D").put([*x, *normal, *(s[0] for s in scalars)])
+    own = Rows("own", "D").put(fixed)
+    box = Uniform("box", (*low, *high, *reduction, *rounding))
+    given, stopped = algebra.vector("given", size), algebra.vector("stopped", size)
+    stops = Rows("stops", "D").put([*stopped, *given])
+
+    stuck = levenberg.held(algebra, x, gradient, matrix, low, high, fixed, brightness)
+    held = lane_function(
+        "held", [state, box, own], [Target("stops", "D", [*algebra.lifted(stuck), *algebra.lifted(np.zeros(size))])]
+    )
+    step = levenberg.bounded_step(algebra, x, gradient, matrix, damping, low, high, stopped, given)
+    results = [*algebra.lifted(step.stopped), *algebra.lifted(step.step), *algebra.lifted(step.leaving)]
+    bounded_step = lane_function("bounded_step", [state, box, stops], [Target("next_stops", "D", results)])
+    proposed = levenberg.proposal(
+        algebra, x, objective, gradient, matrix, damping, idle, given, low, high, reduction, noise
+    )
+    zero = np.zeros(1)
+    moved = algebra.where(algebra.less(zero, running), proposed.moved, x)
+    results = [*moved, *algebra.lifted(proposed.promised), *algebra.lifted(proposed.ending)]
+    proposal = lane_function("proposal", [state, box, stops], [Target("trial", "D", results)])
+
+    # A lane that ends takes its last point and is left alone from then on.
+    points, promised, reason = algebra.vector("point", size), algebra.number("promised"), algebra.number("reason")
+    trial = Rows("trial", "D").put([*points, *promised, *reason])
+    ends = running * algebra.where(algebra.less(zero, reason), 1.0, 0.0)
+    goes_on = running - ends
+    last = algebra.where(algebra.less(zero, ends), reason, ending)
+    stays = [
+        *algebra.where(algebra.less(zero, ends), points, x), *normal,
+        *damping, *growth, *idle, *goes_on, *iterations, *last, *brightness,
+    ]  # fmt: skip
+    ended = lane_function("ended", [state, trial], [Target("next_state", "D", stays)])
+    new = [graph.leaf(f"new[{k}]") for k in range(len(normal))]
+    verdict = levenberg.judged(
+        algebra, objective, np.array(new[:1], object), promised, damping, growth, idle, reduction, noise
+    )
+    taken = verdict.better * goes_on
+    updated = [
+        *algebra.where(algebra.less(zero, taken + ends), points, x),
+        *algebra.where(algebra.less(zero, taken), np.array(new, object), np.array(normal, object)),
+        *(
+            algebra.where(algebra.less(zero, goes_on), after, before)[0]
+            for after, before in ((verdict.damping, damping), (verdict.growth, growth), (verdict.idle, idle))
+        ),
+        *goes_on,
+        *(iterations + goes_on),
+        *last,
+        *brightness,
+    ]
+    fresh = Rows("fresh", "D").put(new)
+    judged = lane_function("judged", [state, box, trial, fresh], [Target("next_state", "D", updated)])
+    taken = covariance.alike(algebra, objective, np.array(new[:1], object))
+    settled = [
+        *algebra.where(algebra.less(zero, taken), points, x),
+        *algebra.where(algebra.less(zero, taken), np.array(new, object), np.array(normal, object)),
+        *(s[0] for s in scalars),
+    ]
+    rested = lane_function("rested", [state, trial, fresh], [Target("next_state", "D", settled)])
+    return [held, bounded_step, proposal, ended, judged, rested, _polished(size)]
+
+
+def _polished(size: int) -> str:
+    """``polished``: a last step by the gradient at the solution, which is summed from residuals and so sure to more digits than moments are.
+
+    Rows: ``state``, ``among`` (what moves), ``inverse``, ``slope`` (the gradient).
+    """
+    algebra = Formulas()
+    x, slope, among = algebra.vector("x", size), algebra.vector("slope", size), algebra.vector("among", size)
+    inverse, objective, ending = algebra.matrix("inverse", size), algebra.number("objective"), algebra.number("ending")
+    low, high = algebra.vector("low", size), algebra.vector("high", size)
+    moved = levenberg.polished(algebra, x, objective, ending, slope, inverse, among, low, high)
+    return lane_function(
+        "polished",
+        [
+            Rows("x", "D").put([*x, *objective]),
+            Rows("ending", "D").put(ending),
+            Rows("slope", "D").put(slope),
+            Rows("inverse", "D").put(triangle_of(inverse)),
+            Rows("among", "D").put(among),
+            Uniform("box", (*low, *high)),
+        ],
+        [Target("point", "D", algebra.lifted(moved))],
+    )

@@ -1,0 +1,244 @@
+"""A model for a fit of texels, as a graph: what is kept of the data, residuals, derivatives, and what weighs them.
+
+The residual of a sample and channel is root (T(f) - T(y)) with the loss's transform T (`motes.fitting.losses`) and root the square root of the
+direction's weight; it is 0 where there is no value.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from motes.fitting.losses import Loss, Robust
+from motes.fitting.printed.formulas import packed
+from motes.graph import separation, tracing
+from motes.graph.tracing import DIRECTIONS, PARAMETERS, Graph, Symbol
+
+DATA, SUMS = 4, 8  # more bits for `tracing.dependence`
+# As `motes.fitting.problem.Problem` has it: what a leverage leaves of a residual is taken for at least so much.
+LEAST_REST = 0.05
+
+
+@dataclass(frozen=True)
+class Data:
+    """What is kept of a sample's values, and how formulas read it.
+
+    Attributes
+    ----------
+    raw
+        Leaves: the measured values of the channels, not finite where there is none.
+    stored
+        What is kept, as formulas of `raw` and the directions; `leaves` stand for it.
+    blank
+        What is kept of a sample that does not exist.
+    values, weights
+        Of each channel: the transformed value less its offset, 0 where there is none; 1, or 0 where there is none.
+    """
+
+    raw: tuple[Symbol, ...]
+    stored: tuple[Symbol, ...]
+    leaves: tuple[Symbol, ...]
+    blank: tuple[float, ...]
+    values: tuple[Symbol, ...]
+    weights: tuple[Symbol, ...]
+
+    @classmethod
+    def by_channel(cls, graph: Graph, raw: Sequence[Symbol], targets: Sequence[Symbol], root: Symbol) -> Data:
+        """Each channel may be missing by itself: NaN is kept there."""
+        nan = graph.constant(float("nan"))
+        stored = [graph.where(root > 0, graph.where((t - t) <= 0, t, nan), nan) for t in targets]
+        leaves = [graph.leaf(f"value[{c}]") for c in range(len(raw))]
+        there = [leaf <= leaf for leaf in leaves]
+        values = [graph.where(ok, leaf, 0.0) for ok, leaf in zip(there, leaves, strict=True)]
+        weights = [graph.where(ok, 1.0, 0.0) for ok in there]
+        return cls(tuple(raw), tuple(stored), tuple(leaves), (float("nan"),) * len(raw), tuple(values), tuple(weights))
+
+    @classmethod
+    def by_sample(cls, graph: Graph, raw: Sequence[Symbol], targets: Sequence[Symbol], root: Symbol) -> Data:
+        """A sample counts when all of its channels are there."""
+        good = graph.where(root > 0, graph.where(total([t - t for t in targets]) <= 0, 1.0, 0.0), 0.0)
+        stored = [graph.where(good > 0, t, 0.0) for t in targets]
+        values = [graph.leaf(f"value[{c}]") for c in range(len(raw))]
+        weight = graph.leaf("weight")
+        blank = (0.0,) * (len(raw) + 1)
+        return cls(tuple(raw), (*stored, good), (*values, weight), blank, tuple(values), (weight,) * len(raw))
+
+
+@dataclass(frozen=True)
+class Traced:
+    """A model for a fit: its graph with the residual's ingredients.
+
+    Attributes
+    ----------
+    leaves
+        With their bits: what the directions fix (`DIRECTIONS`: `root` and `cosine` among them), parameters and `noise` (`PARAMETERS`), data (`DATA`).
+    outputs
+        The transformed and weighted model, root T(f), for each channel; `slopes` its derivatives.
+    offsets
+        Those parts of the outputs that depend on directions alone: they are taken off the data.
+    noise
+        The size of a residual in units of which the robust function measures.
+    leverage
+        Leaves for the (packed) inverse of the curvature.
+    """
+
+    leaves: dict[Symbol, int]
+    parameters: tuple[Symbol, ...]
+    outputs: tuple[Symbol, ...]
+    slopes: tuple[dict[Symbol, Symbol], ...]
+    offsets: tuple[Symbol, ...]
+    data: Data
+    robust: Robust
+    noise: Symbol
+    leverage: tuple[Symbol, ...]
+
+    @classmethod
+    def of(cls, trace: tracing.Trace, fitted: Sequence[str], loss: Loss, robust: Robust, by_channel: bool) -> Traced:
+        """From the trace of a model (recorded without a look at the horizon) and the slots that are fitted."""
+        graph = trace.graph
+        root, cosine, noise = graph.leaf("root"), graph.leaf("cosine"), graph.leaf("noise")
+        raw = tuple(graph.leaf(f"raw[{c}]") for c in range(len(trace.outputs)))
+        parameters = tuple(p.symbol for slot in fitted for p in trace.parameters if p.slot == slot)
+        leverage = tuple(graph.leaf(f"leverage[{k}]") for k in range(len(parameters) * (len(parameters) + 1) // 2))
+        leaves = trace.leaves()
+        leaves |= {p.symbol: DIRECTIONS for p in trace.parameters if p.symbol not in parameters}
+        leaves |= {root: DIRECTIONS, cosine: DIRECTIONS, noise: PARAMETERS}
+        leaves |= dict.fromkeys(leverage, PARAMETERS) | dict.fromkeys(raw, DATA)
+
+        def transformed(f: Symbol) -> Symbol:
+            return root * graph.lift(loss.transformed(graph, f, cosine))
+
+        outputs = separation.gathered([transformed(f) for f in trace.outputs], leaves)
+        zero = graph.constant(0.0)
+        if loss.is_linear:
+            slopes = tracing.forward(outputs, parameters)
+            # What no parameter acts on, such as the dust of a layer that is held, is taken off the data.
+            bits = tracing.dependence(outputs, leaves)
+            plain = separation.unclamped(outputs, bits)
+            terms = [separation.terms(output, tracing.dependence([output], leaves)) for output in plain]
+            offsets = [row.get((), zero) for row in terms]
+            bits = tracing.dependence(offsets, leaves)
+            offsets = [offset if bits[offset] == DIRECTIONS else zero for offset in offsets]
+        else:
+            # The loss says what its slope is: that of the cube root is held near 0.
+            offsets = [zero] * len(raw)
+            slopes = [
+                {p: t * (root * graph.lift(loss.sloped(graph, f, cosine))) for p, t in row.items()}
+                for f, row in zip(trace.outputs, tracing.forward(trace.outputs, parameters), strict=True)
+            ]
+        targets = [transformed(y) - offset for y, offset in zip(raw, offsets, strict=True)]
+        data = (Data.by_channel if by_channel else Data.by_sample)(graph, raw, targets, root)
+        leaves |= dict.fromkeys(data.leaves, DATA)
+        return cls(leaves, parameters, tuple(outputs), tuple(slopes), tuple(offsets), data, robust, noise, leverage)
+
+    @property
+    def graph(self) -> Graph:
+        return self.noise.graph
+
+    def opening(self) -> list[Symbol]:
+        """The square of the transformed values, and 1 for each."""
+        data = self.data
+        whole = [v + w * o for v, w, o in zip(data.values, data.weights, self.offsets, strict=True)]
+        return [total([v * v for v in whole]), total(data.weights)]
+
+    def residuals(self) -> list[Symbol]:
+        data = self.data
+        return [
+            w * (f - offset) - v
+            for w, f, offset, v in zip(data.weights, self.outputs, self.offsets, data.values, strict=True)
+        ]
+
+    def jacobian(self) -> list[dict[Symbol, Symbol]]:
+        """Derivatives of each channel's residual by the parameters."""
+        return [
+            dict(zip(row, separation.gathered([s * w for s in row.values()], self.leaves), strict=True))
+            for row, w in zip(self.slopes, self.data.weights, strict=True)
+        ]
+
+    def sizes(self) -> list[Symbol]:
+        """Squares of the residuals in units of the noise."""
+        per_noise = 1.0 / (self.noise * self.noise)
+        return [r * r * per_noise for r in self.residuals()]
+
+    @property
+    def is_robust(self) -> bool:
+        return self.robust.name != "none"
+
+    def clamped(self) -> Symbol:
+        """1 where a clamp of the model acts that sums of moments leave out."""
+        graph = self.graph
+        clamped = graph.constant(0.0)
+        for inner in separation.clamps(self.outputs, tracing.dependence(self.outputs, self.leaves)):
+            clamped = graph.maximum(clamped, graph.where(inner < 0, 1.0, 0.0))
+        return clamped * self.data.weights[0]
+
+    def gradient(self) -> list[Symbol]:
+        """The sum over channels of the residual, as the robust function counts it, times its derivatives."""
+        graph, residuals, jacobian = self.graph, self.residuals(), self.jacobian()
+        if self.is_robust:
+            slopes = [graph.lift(self.robust.sloped(graph, z)) for z in self.sizes()]
+            residuals = [r * slope for r, slope in zip(residuals, slopes, strict=True)]
+        return [
+            self.weighted([(row[p], r) for r, row in zip(residuals, jacobian, strict=True) if p in row])
+            for p in self.parameters
+        ]
+
+    def closing(self, clamped: Symbol) -> tuple[Symbol, ...]:
+        """See `motes.fitting.printed.normal.NormalEquations`."""
+        squares = total([r * r for r in self.residuals()])
+        return (squares, self.graph.constant(0.0), *self.gradient(), *self.middle(), clamped)
+
+    def middle(self) -> list[Symbol]:
+        """Squared residuals over what their leverage leaves of them, times J J' (packed): the middle of the sandwich (HC3)."""
+        graph, jacobian = self.graph, self.jacobian()
+        weights = []
+        for r, z, row in zip(self.residuals(), self.sizes(), jacobian, strict=True):
+            leverage = total(
+                [
+                    (row[p] * row[q]) * (self.leverage[packed(i, j)] * (1.0 if i == j else 2.0))
+                    for i, p in enumerate(self.parameters)
+                    for j, q in enumerate(self.parameters[: i + 1])
+                    if p in row and q in row
+                ]
+                or [graph.constant(0.0)]
+            )
+            if self.is_robust:
+                leverage = leverage * graph.lift(self.robust.bent(graph, z))
+                r = r * graph.lift(self.robust.sloped(graph, z))
+            scaled = r / graph.maximum(1.0 - leverage, LEAST_REST)
+            weights.append(scaled * scaled)
+        return self.products(jacobian, weights)
+
+    def products(self, jacobian: Sequence[dict[Symbol, Symbol]], weights: Sequence[Symbol]) -> list[Symbol]:
+        """The sum over channels of weight J J', packed."""
+        size = len(self.parameters)
+        return [
+            self.weighted(
+                [
+                    (row[self.parameters[i]] * row[self.parameters[j]], weight)
+                    for weight, row in zip(weights, jacobian, strict=True)
+                    if self.parameters[i] in row and self.parameters[j] in row
+                ]
+            )
+            for i in range(size)
+            for j in range(i + 1)
+        ]
+
+    def weighted(self, terms: Sequence[tuple[Symbol, Symbol]]) -> Symbol:
+        """The sum of value times weight, with the weights of equal values added up first."""
+        weights: dict[Symbol, list[Symbol]] = {}
+        for value, weight in terms:
+            weights.setdefault(value, []).append(weight)
+        result = self.graph.constant(0.0)
+        for value, several in weights.items():
+            same = all(w is several[0] for w in several)
+            result = result + value * (float(len(several)) * several[0] if same else total(several))
+        return result
+
+
+def total(parts: Sequence[Symbol]) -> Symbol:
+    """The sum of symbols."""
+    result = parts[0]
+    for part in parts[1:]:
+        result = result + part
+    return result

@@ -1,0 +1,278 @@
+"""A compiled fit of texels, with what depends on directions and times alone."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from motes import workers
+from motes.fitting.levenberg import FIRST_DAMPING, FIRST_GROWTH
+from motes.fitting.losses import Floats, Robust
+from motes.fitting.printed import module
+from motes.fitting.printed.coefficients import Coefficients
+from motes.fitting.printed.driver import NO_VERDICT, STATE
+from motes.fitting.printed.normal import NormalEquations
+from motes.fitting.printed.rows import LANES
+from motes.fitting.printed.sums import UNROLL
+from motes.fitting.texel_setup import TexelSetup
+from motes.graph import tracing
+from motes.kernels import engine
+from motes.kernels import numpy as numpy_code
+from motes.models import BRDF, describe
+from motes.trends import KINDS
+
+Singles = NDArray[np.float32]
+
+MAX_ITERATIONS = 60
+#: A texel has converged when a step promises less than this share of its objective; the step is taken.
+#: Under a robust function fits creep to their minimum, and what is left after a step is about as large as the step.
+REDUCTION, ROBUST_REDUCTION = 1e-9, 1e-10
+TASK = 128 * LANES  # texels that a thread takes at a time
+# Blocks with at most so many texels left hand them over to blocks of such texels; not worth it for few.
+STRAGGLERS, FEW = LANES // 4, 8 * LANES
+# Sums in float32 are rounded, from one point to the next, by about this share of their terms.
+ROUNDING = 3e-7
+
+
+@dataclass
+class Raw:
+    """What kernels return for texels.
+
+    Attributes
+    ----------
+    points
+        In the coordinates of the fit (M, P).
+    values, errors, codes
+        In the parameters' own units (M, P), float32, NaN where there is none; verdicts, uint8.
+    states
+        See `motes.fitting.printed.driver.STATE`.
+    covariances
+        Packed lower triangles (M, P(P+1)/2), in the coordinates of the fit; empty (M, 0) where not asked for.
+    """
+
+    points: Floats
+    values: Singles
+    errors: Singles
+    codes: NDArray[np.uint8]
+    states: Floats
+    covariances: Singles
+
+    @classmethod
+    def at(cls, points: Floats, triangle: int) -> Raw:
+        """Before a fit that starts from `points`."""
+        count, size = points.shape
+        states = np.zeros((count, len(STATE)))
+        for name, value in (("damping", FIRST_DAMPING), ("growth", FIRST_GROWTH), ("running", 1.0)):
+            states[:, STATE.index(name)] = value
+        values, errors = (np.full((count, size), np.nan, np.float32) for _ in range(2))
+        codes = np.full((count, size), NO_VERDICT, np.uint8)
+        covariances = np.full((count, triangle), np.nan, np.float32)
+        return cls(np.array(points, np.float64), values, errors, codes, states, covariances)
+
+    def state(self, name: str) -> Floats:
+        """A column of the states."""
+        return self.states[:, STATE.index(name)]
+
+    def rows(self, rows: NDArray[np.intp]) -> Raw:
+        """Some of the texels."""
+        return Raw(**{name: part[rows] for name, part in vars(self).items()})
+
+    def replace(self, rows: NDArray[np.intp], other: Raw) -> None:
+        """Take over rows from other results."""
+        for name, part in vars(self).items():
+            part[rows] = getattr(other, name)
+
+
+class Kernel:
+    """The module of a form of the normal equations: ``"direct"``, or the ``"cheapest"``."""
+
+    def __init__(self, fit: TexelSetup, form: str, robust: Robust) -> None:
+        values = {
+            q.name: (np.full(fit.channels, q.parameter.default) if q.per_channel else q.parameter.default)
+            for q in fit.quantities
+        }
+        model = fit.brdf.with_parameters(values)
+        fitted = [q.name for q in fit.quantities]
+        squared = [q.name for q in fit.quantities if q.parameter.squared]
+        trace = tracing.trace(model, fit.channels, horizon=False, squared=squared)
+        equations = module.equations(trace, fitted, fit.loss, robust, form)
+        printed = module.module(equations, _coefficients(fit), fit.facts)
+        self.form, self.source = printed.form, printed.source
+        self.driver = engine.module(printed.source, f"the fit of {describe(fit.brdf)} to texels").fit
+        self.size, self.channels = fit.size, fit.channels
+        self.times = 1 if fit.hours is None else len(fit.hours)
+        self.given = len(fit.wi)
+        self.samples = -(-self.given // UNROLL) * UNROLL
+        self.columns = self._columns(printed.columns, trace, equations, model, fit)
+        self.basis = _basis(fit)
+        facts = fit.facts
+        whole = float(np.count_nonzero(fit.weights) * self.channels * self.times)
+        numbers = np.array([REDUCTION if robust.name == "none" else ROBUST_REDUCTION, ROUNDING, whole])
+        self.box = np.concatenate(
+            [
+                facts.low[:, 0],
+                facts.high[:, 0],
+                numbers,
+                *(part[:, 0] for part in (facts.span, facts.least, facts.most, facts.rest)),
+            ]
+        )
+        self.items = printed.layout.room(self.times, self.given, self.samples)
+
+    def _columns(
+        self,
+        symbols: tuple[tracing.Symbol, ...],
+        trace: tracing.Trace,
+        equations: NormalEquations,
+        model: BRDF,
+        fit: TexelSetup,
+    ) -> Singles:
+        """What depends on directions alone, a row each."""
+        held = [p for p in trace.parameters if p.symbol not in equations.model.parameters]
+        leaves = {leaf: f"d{k}" for k, leaf in enumerate(trace.directions)}
+        leaves |= {trace.graph.leaf(name): name for name in ("root", "cosine")}
+        leaves |= {p.symbol: f"p{k}" for k, p in enumerate(held)}
+        slots = {slot.name: slot for slot in model.slots()}
+        numbers = [np.ravel(slots[p.slot].value)[p.channel or 0] for p in held]
+        function = numpy_code.scalar_function("columns", leaves, symbols)
+        with np.errstate(all="ignore"):
+            results = function(*fit.wi.T, *fit.wo.T, np.sqrt(fit.weights), fit.wi[:, 2], *map(float, numbers))
+        rows = np.zeros((max(1, len(results)), self.samples), np.float32)
+        for row, result in zip(rows, results, strict=False):
+            row[: self.given] = result
+            row[self.given :] = row[self.given - 1]
+        return rows
+
+    # ------------------------------------------------------------ fits
+
+    def fit(
+        self,
+        data: Singles,
+        points: Floats,
+        *,
+        noise: Floats | None = None,
+        held: NDArray[np.bool_] | None = None,
+        covariance: bool = False,
+        limit: int = MAX_ITERATIONS,
+        reduction: float | None = None,
+        close: bool = True,
+    ) -> Raw:
+        """Fit texels (M, [T,] D, C) from points (M, P).
+
+        Parameters
+        ----------
+        noise
+            Of each texel (M,), for robust functions.
+        held
+            Coefficients that stay as they are: (M, P), or (P,) for all texels.
+        close
+            Whether errors and verdicts are wanted.
+        """
+        raw = Raw.at(points, self.size * (self.size + 1) // 2 if covariance else 0)
+        active = np.arange(len(data))
+        while len(active):
+            whole = len(active) == len(data)
+            leave = STRAGGLERS if len(active) > FEW else 0
+            part = raw if whole else raw.rows(active)  # what the blocks before have left over, together
+            self._run(
+                data if whole else data[active],
+                part,
+                noise=noise if noise is None or whole else noise[active],
+                held=held if held is None or held.ndim == 1 or whole else held[active],
+                limit=limit,
+                reduction=reduction,
+                leave=leave,
+                close=1 if close else 0,
+            )
+            if not whole:
+                raw.replace(active, part)
+            active = np.flatnonzero((raw.state("running") > 0) & (raw.state("iterations") < limit))
+        return raw
+
+    def diagonal(self, data: Singles, points: Floats, noise: Floats | None) -> Floats:
+        """The diagonal of the curvature (M, P) at points."""
+        raw = Raw.at(points, 0)
+        self._run(data, raw, noise=noise, close=2)
+        return raw.points
+
+    def residuals(self, data: Singles, points: Floats) -> Singles:
+        """The weighted residuals of texels (M, T D C) at points, NaN where there is no value; of a kernel with a robust function only."""
+        per = self.times * self.given * self.channels
+        blocks = np.empty((-(-len(data) // LANES), per, LANES), np.float32)
+        self._run(data, Raw.at(points, 0), out=blocks)
+        return blocks.transpose(0, 2, 1).reshape(-1, per)[: len(data)]
+
+    def _run(
+        self,
+        data: Singles,
+        raw: Raw,
+        *,
+        noise: Floats | None = None,
+        held: NDArray[np.bool_] | None = None,
+        limit: int = 0,
+        reduction: float | None = None,
+        leave: int = 0,
+        close: int = 0,
+        out: Singles | None = None,
+    ) -> None:
+        box = self.box.copy()
+        if reduction is not None:
+            box[2 * self.size] = reduction
+        units = np.ones(1) if noise is None else np.ascontiguousarray(noise, np.float64)
+        holds = np.ascontiguousarray(np.zeros(self.size) if held is None else held, np.float64)
+        noise_step, held_step = int(noise is not None), self.size if holds.ndim == 2 else 0
+        at, size, given = engine.address, self.size, self.times * self.given * self.channels
+        triangle = raw.covariances.shape[1]
+
+        def work(task: int, room: NDArray[Any]) -> None:
+            first, last = task * TASK, min(len(data), (task + 1) * TASK)
+            self.driver(
+                at(data) + 4 * first * given, self.times, self.given, self.samples, at(self.columns), self.columns.shape[1],
+                at(self.basis), at(box), last - first, at(raw.points) + 8 * first * size, at(raw.states) + 8 * first * len(STATE),
+                at(holds) + 8 * first * held_step, held_step, at(units) + 8 * first * noise_step, noise_step,
+                limit, leave, close, at(raw.values) + 4 * first * size, at(raw.errors) + 4 * first * size, at(raw.codes) + first * size,
+                at(raw.covariances) + 4 * first * triangle if triangle else 0,
+                0 if out is None else at(out) + 4 * first * given, at(room),
+            )  # fmt: skip
+
+        workers.spread(-(-len(data) // TASK), work, lambda: np.empty(self.items))
+
+
+def _coefficients(fit: TexelSetup) -> Coefficients:
+    """The parameters, or their squares where the model wants those, as functions of a texel's vector."""
+    if not fit.parts:
+        return Coefficients.themselves(fit.size)
+    graph = tracing.Graph()
+    leaves: list[tracing.Symbol] = []
+    basis: dict[str, list[tracing.Symbol]] = {}
+    values: list[tracing.Symbol] = []
+    for part in fit.parts:
+        kind = KINDS[part.kind]
+        q = part.quantity
+        own: list[int | None] = list(range(part.width)) if q.per_channel else [0]
+        symbols: dict[str, list[tracing.Symbol]] = {}
+        for coefficient in kind.coefficients:
+            for c in [None] if coefficient.bounds else own:
+                leaf = graph.leaf(f"{q.name}.{coefficient.name}[{c}]")
+                symbols.setdefault(coefficient.name, []).append(leaf)
+                leaves.append(leaf)
+        count = len(kind.basis(np.zeros(1), 0.0, 1.0))
+        columns = basis.setdefault(part.kind, [graph.leaf(f"{part.kind}.basis[{k}]") for k in range(count)])
+        for c in range(part.width):
+            given = [symbols[k.name][0 if k.bounds else c] for k in kind.coefficients]
+            value = graph.lift(kind.formula(graph, list(columns), given))
+            values.append(value * value if q.parameter.squared and not part.squared else value)
+    return Coefficients(graph, tuple(leaves), tuple(b for columns in basis.values() for b in columns), tuple(values))
+
+
+def _basis(fit: TexelSetup) -> Floats:
+    """What trends need of the times: (T, B)."""
+    if not fit.parts:
+        return np.zeros((1, 1))
+    assert fit.hours is not None
+    kinds = dict.fromkeys(part.kind for part in fit.parts)
+    interval = fit.parts[0].interval
+    columns = [column for kind in kinds for column in KINDS[kind].basis(fit.hours, *interval)]
+    return np.ascontiguousarray(np.stack(columns, axis=1))
