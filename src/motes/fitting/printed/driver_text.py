@@ -97,7 +97,7 @@ def closing(x, room, own, box, columns, row, basis, times, samples, data, roughl
             here = bounded * (D(1.0) - load(D, loose, SIZE * LANES + n, "other", 1))
             store(D, loose, k * LANES + n, here, "plain", 0, 1)
             some = some or here > D(0.0)
-    if some:
+    if some or any_of(blurred + 8 * LANES * SIZE):
         among_at(free, blurred, loose, among)
         clear(now_blurred, SIZE)
         inverse_at(curvature, among, now_blurred, wider, room + AT_WIDER_BLURRED)

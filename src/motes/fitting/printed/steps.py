@@ -82,7 +82,10 @@ def step_functions(size: int, form: str) -> list[str]:
     ]
     fresh = Rows("fresh", "D").put(new)
     judged = lane_function("judged", [state, box, trial, fresh], [Target("next_state", "D", updated)])
-    taken = covariance.alike(algebra, objective, np.array(new[:1], object))
+    # Of a lane that did not move the normal equations stay as they are: those of the point before its last step.
+    taken = covariance.alike(algebra, objective, np.array(new[:1], object)) * algebra.where(
+        algebra.less(zero, promised), 1.0, 0.0
+    )
     settled = [
         *algebra.where(algebra.less(zero, taken), points, x),
         *algebra.where(algebra.less(zero, taken), np.array(new, object), np.array(normal, object)),
