@@ -34,9 +34,9 @@ def test_curet_angles_samples_and_values(tmp_path: Path):
     assert m.channels == ("grey",)
     assert list_samples(folder) == ["3", "7"]
     assert dict(read(folder, sample="7").masked) == {policy.NEGATIVE: 1}
-    with pytest.raises(FormatError, match=r"has 2 samples.*sample = 3, 7"):
+    with pytest.raises(FormatError, match=r"has 2 samples.*--sample: 3, 7"):
         read(folder)
-    with pytest.raises(FormatError, match=r"no sample 10.*sample = 3, 7"):
+    with pytest.raises(FormatError, match=r"no sample 10.*--sample: 3, 7"):
         read(folder, sample=10)
     only = files.curet_folder(tmp_path / "one", {5: values[3]}, angles)
     assert read(only).provenance["sample"] == "5"

@@ -284,7 +284,7 @@ def _belongs(roles: Roles, at: int, header: list[str], where: str) -> None:
         if len(roles.values) > 1 and not column.relative:
             raise FormatError(
                 f"{where}: the column {_called(header, at)} is an uncertainty [1/sr] of one of {len(roles.values)} channels, and does not say of which",
-                f"--read 'column:{header[at]}=uncertainty[R]' says it, or ...=relative_uncertainty for a share of each value",
+                f"--read 'column:{header[at]}=uncertainty[R]' says it, --read 'column:{header[at]}=relative_uncertainty' that it is a share of each value",
             )
         place = 0 if len(roles.values) == 1 else -1
     else:

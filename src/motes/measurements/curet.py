@@ -60,7 +60,7 @@ def read_curet(path: Path, *, sample: int | str | None = None) -> Measurement:
     number = reading.integer(str(sample).strip()) if sample is not None else None
     if number not in rows:
         what = f"has {len(rows)} samples" if sample is None else f"has no sample {sample!s:.40}"
-        raise FormatError(f"{file} {what}", f"Choose one of sample = {available}")
+        raise FormatError(f"{file} {what}", f"Choose one with --sample: {available}")
     table = _table(file.parent / TABLE)
     values = reading.numbers(rows[number], f"{file}, sample {number}")
     reading.require(

@@ -287,7 +287,9 @@ def _detect(path: Path) -> Reader:
     for reader in (*added.values(), plain_table):  # whatever is text may be a table, so it is asked last
         if reader.sniff(path, head):
             return reader
-    formats = "; ".join([f"The formats are: {', '.join(READERS | added)}; force one with format=", *failures])
+    formats = "; ".join(
+        [f"The formats are: {', '.join(READERS | added)}; force one with --read format=NAME", *failures]
+    )
     if path.is_dir():
         names = sorted(f.name for f in path.iterdir())
         raise FormatError(

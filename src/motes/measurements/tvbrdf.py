@@ -223,7 +223,7 @@ def _choose(path: Path, sample: int | str | None) -> Path:
         chosen = list(folders.values())
     if len(chosen) != 1:
         what = f"holds {len(folders)} samples" if sample is None else f"has no sample {sample!s:.40}"
-        raise FormatError(f"{path} {what}", f"Choose one of sample = {', '.join(folders)}")
+        raise FormatError(f"{path} {what}", f"Choose one with --sample: {', '.join(folders)}")
     return chosen[0]
 
 
