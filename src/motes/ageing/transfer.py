@@ -86,7 +86,7 @@ def age(
     if source is None:
         if hours is None:
             raise ParameterError(
-                f"{what.name}: no time is given", "Give hours, such as hours=24, or a source that has times of its own"
+                f"{what.name}: no time is given", "Give hours (--hours 24), or a source that has times of its own"
             )
         return what(material, hours=hours, given=given, **overrides)
     if not isinstance(source, Material):
