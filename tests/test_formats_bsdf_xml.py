@@ -12,7 +12,7 @@ import motes
 import radiance_support as radiance
 from motes.errors import FormatError, MotesError
 from motes.measurements import read
-from motes.measurements._klems import KLEMS
+from motes.measurements._angle_basis import KLEMS
 from motes.measurements.measurement import Measurement
 
 FUNCTION = "f(ix,iy,iz,ox,oy,oz) : 0.2/PI + 0.3*exp(-6*((ix+ox)*(ix+ox)+(iy+oy)*(iy+oy))) + 0.02*ix*ox + 0.01*iy*oy;\n"
@@ -79,7 +79,7 @@ def test_a_tree_has_its_values_in_their_cells(tmp_path: Path, d: int):
 def test_matrices_by_radiance(tmp_path: Path, options: list[str], side: str):
     (tmp_path / "f.cal").write_text(FUNCTION)
     where = ["+forward", "-backward"] if side == "front" else ["-forward", "+backward"]
-    text = radiance.program("bsdf2klems", *options, "-p", *where, "-f", "f.cal", "f", cwd=tmp_path)
+    text = radiance.program("bsdf2klems", *options, "-n", "16", "-p", *where, "-f", "f.cal", "f", cwd=tmp_path)
     (tmp_path / "a.xml").write_bytes(text)
     m = read(tmp_path / "a.xml")
     assert m.provenance["side"] == side

@@ -59,7 +59,7 @@ def test_radiance_makes_the_same_of_them(tmp_path: Path):
         names.append(f"scan{k}.txt")
     m = read(tmp_path)
     (tmp_path / "a.sir").write_bytes(radiance.program("pabopto2bsdf", "-n", "1", *names, cwd=tmp_path))
-    (tmp_path / "a.xml").write_bytes(radiance.program("bsdf2klems", "-p", "a.sir", cwd=tmp_path))
+    (tmp_path / "a.xml").write_bytes(radiance.program("bsdf2klems", "-n", "64", "-p", "a.sir", cwd=tmp_path))
     some = np.flatnonzero((m.theta_i < 1.1) & (m.theta_r < 1.1))
     some = some[np.random.default_rng(1).integers(0, len(some), 400)]
     theirs = radiance.query(tmp_path / "a.xml", m.wi[some], m.wo[some])[:, 1]

@@ -15,9 +15,12 @@ import radiance_support as radiance
 from motes.directions import from_spherical
 from motes.errors import DataError, MotesError, ParameterError
 from motes.exports import export
-from motes.exports.tristimulus import SRGB_TO_XYZ
 from motes.measurements import Measurement, read
 from motes.measurements.rgl import TensorBRDF
+
+# IEC 61966-2-1, each row divided by its sum
+SRGB_TO_XYZ = np.array([[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]])
+SRGB_TO_XYZ /= SRGB_TO_XYZ.sum(axis=1, keepdims=True)
 
 GREY = motes.OrenNayar(K_d=0.5, sigma_d=0.4) + motes.TorranceSparrow(K_s=0.3, sigma_s=0.25)
 PLASTER = motes.OrenNayar(K_d=(0.8, 0.5, 0.2), sigma_d=0.3) + motes.TorranceSparrow(K_s=0.3, sigma_s=0.25)
@@ -177,7 +180,7 @@ def test_zemax_tables_read_back(tmp_path: Path, material: motes.BRDF):
     m = read(tmp_path / "a.bsdf")
     usable = m.mask[0, :, 0]
     y = m.channels.index("Y") if m.n_channels == 3 else 0
-    np.testing.assert_allclose(m.values[0, usable, y], y_of(material, m.wi[usable], m.wo[usable]), rtol=2e-6)
+    np.testing.assert_allclose(m.values[0, usable, y], y_of(material, m.wi[usable], m.wo[usable]), rtol=1e-5)
     assert usable.sum() > 3000
     totals = np.array(m.provenance["total_integrated_scatter"])
     sin2, phi = np.meshgrid((np.arange(200) + 0.5) / 200, (np.arange(200) + 0.5) / 200 * 2 * np.pi)
@@ -252,3 +255,14 @@ def test_the_command_writes_data_and_bases(tmp_path: Path, motes: Callable[..., 
     status, _, said = motes("export", tmp_path / "a.xompt", "--to", "glsl")
     assert status != 0
     assert said
+
+
+def test_colours_survive_the_way_there_and_back(tmp_path: Path):
+    """RGB becomes X, Y, Z in the file, and pictures of what is read back have the RGB again."""
+    from motes.drawing.colour import channels_to_srgb
+
+    export(PLASTER, "zemax", tmp_path / "a.bsdf")
+    m = read(tmp_path / "a.bsdf")
+    usable = m.mask[0, :, 0]
+    rgb = m.values[0, usable] @ channels_to_srgb(m.channels).matrix
+    np.testing.assert_allclose(rgb, PLASTER.eval(m.wi[usable], m.wo[usable]), rtol=1e-4)

@@ -47,7 +47,7 @@ SPECIMENS: dict[str, tuple[Callable[[], dict[str, bytes]], str]] = {
     "zemax": (lambda: {"a": format_files.zemax_text().encode()}, "a"),
     "lighttools": (lambda: {"a": format_files.lighttools_text().encode()}, "a"),
 }
-# Of one size only, or in many files: damaged by tests of their own.
+# Large, or pictures: damaged by tests of their own.
 APART = {"staf", "native-staf", "utia"}
 
 
@@ -160,3 +160,22 @@ def test_damaged_maps(data: st.DataObject, tmp_path_factory: pytest.TempPathFact
     slice_folder = tmp_path_factory.mktemp("slice", numbered=True)
     (slice_folder / "a").write_bytes(data.draw(damage())(specimen[victim]))
     survives(slice_folder / "a", "merl-slice")
+
+
+@settings(max_examples=25)
+@given(data=st.data())
+def test_damaged_tables_of_one_size(data: st.DataObject, tmp_path_factory: pytest.TempPathFactory):
+    folder = tmp_path_factory.mktemp("utia", numbered=True)
+    (folder / "m001_a.bin").write_bytes(data.draw(damage())(format_files.utia_bytes()))
+    survives(folder / "m001_a.bin", "utia")
+
+
+@settings(max_examples=60)
+@given(data=st.data())
+def test_damaged_maps_of_the_authors(data: st.DataObject, tmp_path_factory: pytest.TempPathFactory):
+    pytest.importorskip("OpenEXR")
+    folder = tmp_path_factory.mktemp("native", numbered=True)
+    format_files.native_staf_folder(folder, lambda path, pixels: files.write_exr(path, pixels, np.float32), times=2)
+    victim = data.draw(st.sampled_from(sorted(file for file in folder.rglob("*") if file.is_file())))
+    victim.write_bytes(data.draw(damage())(victim.read_bytes()))
+    survives(folder, "native-staf")

@@ -17,6 +17,9 @@ Floats = NDArray[np.floating[Any]]
 
 # XYZ (D65 white) to linear sRGB: IEC 61966-2-1.
 _XYZ_TO_SRGB = np.array([[3.2406, -1.5372, -0.4986], [-0.9689, 1.8758, 0.0415], [0.0557, -0.2040, 1.0570]])
+_WHITE = np.linalg.inv(_XYZ_TO_SRGB) @ np.ones(3)
+# Linear sRGB to XYZ relative to white: a neutral surface has X = Y = Z, as under equal-energy light.
+SRGB_TO_XYZ = np.linalg.inv(_XYZ_TO_SRGB) / _WHITE[:, None]
 # Luminance of linear sRGB, the second row of the inverse.
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 # ColorBrewer RdBu, 11 classes (Brewer 2003), reversed: blue negative, red positive; told apart with every common colour deficiency.
@@ -64,8 +67,9 @@ class ColorOf(NamedTuple):
 def channels_to_srgb(channels: Sequence[str], wavelengths: ArrayLike | None = None) -> ColorOf:
     """The matrix from channel values to linear sRGB in which a surface of equal reflectance in all channels is neutral.
 
-    Channels named R, G, B are taken as linear sRGB; wavelengths that cover the visible are integrated against the colour matching functions under
-    equal-energy light and scaled so that white is white (a von Kries adaptation in XYZ); anything else becomes its mean, in grey.
+    Channels named R, G, B are taken as linear sRGB, and X, Y, Z as CIE XYZ relative to white; wavelengths that cover the
+    visible are integrated against the colour matching functions under equal-energy light and scaled so that white is white
+    (a von Kries adaptation in XYZ); anything else becomes its mean, in grey.
 
     Parameters
     ----------
@@ -78,13 +82,14 @@ def channels_to_srgb(channels: Sequence[str], wavelengths: ArrayLike | None = No
     colours = colours_of(channels)
     if colours is not None:
         return ColorOf(np.eye(3)[list(colours)], "R, G and B are shown as linear sRGB")
+    if tuple(channels) == ("X", "Y", "Z"):
+        return ColorOf(np.linalg.inv(SRGB_TO_XYZ).T, "X, Y and Z are turned into sRGB, equal ones being neutral")
     if wavelengths is not None and n >= 3:
         nm = np.asarray(wavelengths, np.float64)
         # Weights of the trapezoid rule, the ends standing for as much on their outer side.
         curves = xyz_bar(nm) * np.gradient(nm)[:, None]
         if nm.min() <= 480 and nm.max() >= 620 and np.all(np.diff(nm) > 0):
-            white = np.linalg.inv(_XYZ_TO_SRGB) @ np.ones(3)
-            matrix = (curves / curves.sum(0) * white) @ _XYZ_TO_SRGB.T
+            matrix = (curves / curves.sum(0) * _WHITE) @ _XYZ_TO_SRGB.T
             return ColorOf(
                 matrix,
                 "spectra are turned into sRGB through the CIE 1931 2° colour matching functions "

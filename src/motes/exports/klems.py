@@ -13,7 +13,7 @@ import numpy as np
 from motes.errors import ParameterError
 from motes.exports import tristimulus, window_xml
 from motes.exports.subject import Subject
-from motes.measurements._klems import KLEMS, AngleBasis, towards_light
+from motes.measurements._angle_basis import KLEMS, AngleBasis, towards_light
 
 SUFFIX = ".xml"
 BASES = {"full": "lbnl/klems full", "half": "lbnl/klems half", "quarter": "lbnl/klems quarter"}

@@ -1,6 +1,6 @@
 """A tensor tree in a BSDF file of Radiance: an isotropic BRDF in cells that are small where it changes.
 
-The finest cells are 1/64 of the cube's edge (`motes.measurements._tensor_tree`), each the mean of 8 points; cells that differ
+The finest cells are 1/64 of the cube's edge (`motes.measurements._tree_cells`), each the mean of 8 points; cells that differ
 by little are joined.
 """
 
@@ -12,7 +12,7 @@ import numpy as np
 
 from motes.exports import tristimulus, window_xml
 from motes.exports.subject import Subject
-from motes.measurements._tensor_tree import serialize, to_disk
+from motes.measurements._tree_cells import serialize, to_disk
 
 SUFFIX = ".xml"
 HALVINGS = 6

@@ -7,15 +7,11 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from motes.drawing.colour import channels_to_srgb
+from motes.drawing.colour import SRGB_TO_XYZ, channels_to_srgb
 from motes.errors import DataError
 from motes.exports.subject import Subject
 
 Array = NDArray[np.float64]
-
-# Linear sRGB to XYZ (IEC 61966-2-1), each row divided by its sum: a neutral surface has X = Y = Z, as Radiance has it.
-_SRGB = np.array([[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]])
-SRGB_TO_XYZ = _SRGB / _SRGB.sum(axis=1, keepdims=True)
 
 
 def limits(subject: Subject) -> list[str]:

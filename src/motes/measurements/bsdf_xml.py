@@ -2,8 +2,8 @@
 
 Values are the BRDF [1/sr] without the cosine, each the mean over a patch of directions (weighted by the cosine); they
 are read at the middle of their patches.  WINDOW's front is the outside of a window and Radiance's front is its inside:
-``Reflection Back`` in the file is what Radiance calls the front.  See `motes.measurements._klems` and
-`motes.measurements._tensor_tree` for the directions.
+``Reflection Back`` in the file is what Radiance calls the front.  See `motes.measurements._angle_basis` and
+`motes.measurements._tree_cells` for the directions.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 from motes.errors import FormatError, MotesError
 from motes.files import budget, reading
 from motes.files.structured import number_list, xml_tree
-from motes.measurements import _tensor_tree
-from motes.measurements._klems import KLEMS, AngleBasis, towards_light
+from motes.measurements import _tree_cells
+from motes.measurements._angle_basis import KLEMS, AngleBasis, towards_light
 from motes.measurements.measurement import Measurement
 
 NAME = "bsdf-xml"
@@ -224,7 +224,7 @@ def _trees(path: Path, blocks: list[_Block], structure: str) -> tuple[Array, Arr
     d = {"tensortree3": 3, "tensortree4": 4}.get(structure)
     if d is None:
         raise FormatError(f"{path} holds a {structure[:40]!r}", "TensorTree3 and TensorTree4 are read")
-    trees: dict[str, _tensor_tree.Leaves] = {}
+    trees: dict[str, _tree_cells.Leaves] = {}
     for block in blocks:
         where = f"{path}, {block.direction} at {block.wavelength!r}"
         basis = _text(block.element, "AngleBasis")
@@ -232,7 +232,7 @@ def _trees(path: Path, blocks: list[_Block], structure: str) -> tuple[Array, Arr
             raise FormatError(f"{where}: the angle basis is {basis!r}", "LBNL/Shirley-Chiu is read for tensor trees")
         text = _numbers(block, where)
         budget.check(path, SAMPLE * (len(text) // 8 + 1), "the cells of its tree")
-        trees[block.wavelength.lower()] = _tensor_tree.parse(text, d, where)
+        trees[block.wavelength.lower()] = _tree_cells.parse(text, d, where)
     first = trees.get("visible") or next(iter(trees.values()))
     corner, edge = first.corner, first.edge
     middle = corner + edge[:, None] / 2
@@ -260,7 +260,7 @@ def _trees(path: Path, blocks: list[_Block], structure: str) -> tuple[Array, Arr
 
 def _up(square: Array) -> Array:
     """Directions (n, 3) above the surface at coordinates of the square."""
-    x, y = _tensor_tree.to_disk(square)
+    x, y = _tree_cells.to_disk(square)
     return np.stack([x, y, np.sqrt(np.maximum(1 - x**2 - y**2, 0))], axis=-1)
 
 

@@ -41,7 +41,7 @@ def read_zemax(path: Path) -> Measurement:
     grids: dict[str, Array] = {}
     symmetry = kind = ""
     tables: dict[str, Array] = {}
-    totals: dict[str, list[float]] = {}
+    totals: dict[str, list[float | None]] = {}
     quantity = "grey"
     while text.more():
         where, word = text.where(), text.word()
@@ -91,8 +91,8 @@ def read_zemax(path: Path) -> Measurement:
     )
 
 
-def _table(text: Keywords, grids: dict[str, Array], where: str) -> tuple[Array, list[float]]:
-    """The values (N,) between DataBegin and DataEnd, and the TIS of each geometry."""
+def _table(text: Keywords, grids: dict[str, Array], where: str) -> tuple[Array, list[float | None]]:
+    """The values (N,) between DataBegin and DataEnd, and the TIS of each geometry, None where it is no number."""
     grids.setdefault("samplerotation", np.zeros(1))
     for name in ("angleofincidence", "scatterazimuth", "scatterradial"):
         reading.require(name in grids, f"{where}: DataBegin before {name}", "The file is damaged")
@@ -100,7 +100,7 @@ def _table(text: Keywords, grids: dict[str, Array], where: str) -> tuple[Array, 
     inner = len(grids["scatterazimuth"]) * len(grids["scatterradial"])
     budget.check(text.path, SAMPLE * geometries * inner, f"{geometries} x {inner} directions")
     parts: list[Array] = []
-    totals: list[float] = []
+    totals: list[float | None] = []
     for _ in range(geometries):
         here = text.where()
         if not text.more() or text.word() != "tis":
@@ -108,7 +108,8 @@ def _table(text: Keywords, grids: dict[str, Array], where: str) -> tuple[Array, 
                 f"{here}: table {len(parts) + 1} of {geometries} does not start with TIS",
                 "The file is truncated or damaged",
             )
-        totals.append(float(reading.numbers([text.value() or "nan"], here)[0]))
+        total = float(reading.numbers([text.value() or "nan"], here)[0])
+        totals.append(total if np.isfinite(total) else None)
         parts.append(text.numbers(inner, f"table {len(parts) + 1} of {geometries}"))
     if text.more() and text.word() == "dataend":
         text.at += 1
