@@ -160,8 +160,8 @@ export class App {
     this.followAll();
   }
 
-  openMesh(name: string, data: ArrayBuffer): void {
-    const triangles = this.meshes.add(name, data);
+  async openMesh(name: string, data: ArrayBuffer): Promise<void> {
+    const triangles = await this.meshes.add(name, data);
     this.messages.say(`${name} is shown: ${triangles.toLocaleString('en')} triangles`);
     this.store.change({ shape: name });
     this.followAll();

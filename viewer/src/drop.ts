@@ -15,7 +15,7 @@ export interface Taker {
   readonly messages: Messages;
   openMaterial(json: unknown, second: boolean): void;
   openData(data: Measurement): void;
-  openMesh(name: string, data: ArrayBuffer): void;
+  openMesh(name: string, data: ArrayBuffer): Promise<void>;
 }
 
 /** A file of the user's. */
@@ -23,7 +23,7 @@ export async function open(file: File, taker: Taker, second = false): Promise<vo
   const lower = file.name.toLowerCase();
   const suffix = lower.slice(lower.lastIndexOf('.'));
   if (SUFFIXES.includes(suffix)) {
-    taker.openMesh(file.name, await file.arrayBuffer());
+    await taker.openMesh(file.name, await file.arrayBuffer());
     return;
   }
   if (!['.json', '.csv', '.txt', '.tsv', '.dat'].includes(suffix)) throw new Problem(`${file.name} is neither a material, a table nor a mesh`, 'Drop a .json, .csv, .obj, .ply or .glb file');

@@ -28,8 +28,8 @@ export class Meshes {
   }
 
   /** Add a file's mesh under its name; gives its number of triangles. */
-  add(name: string, data: ArrayBuffer): number {
-    const geometry = prepared(readMesh(name, data), this.shipped.dust_by_inclination);
+  async add(name: string, data: ArrayBuffer): Promise<number> {
+    const geometry = prepared(await readMesh(name, data), this.shipped.dust_by_inclination);
     this.geometries.get(name)?.dispose();
     this.geometries.set(name, geometry);
     return geometry.getIndex()!.count / 3;

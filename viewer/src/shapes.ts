@@ -14,7 +14,7 @@ export interface Triangles {
 
 /** The longest side of a mesh, where the sphere has a diameter of 2. */
 const WIDEST = 2.3;
-const MOST_TRIANGLES = 5_000_000;
+export const MOST_TRIANGLES = 5_000_000;
 
 /** The bytes of base64. */
 export function bytes(text: string): ArrayBuffer {
