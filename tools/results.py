@@ -34,6 +34,7 @@ FRESNEL = {
 SHORT = {
     "lambert": "Lambert",
     "oren_nayar": "ON",
+    "lambert + torrance_sparrow": "Lambert+TS",
     RICH: "ON+TS",
     f"dust_layer({RICH})": "dust",
 }
