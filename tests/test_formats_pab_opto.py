@@ -87,3 +87,11 @@ def test_what_is_refused(tmp_path: Path, old: str, new: str, complaint: str):
     with pytest.raises(MotesError, match=complaint) as raised:
         read(tmp_path / "a.txt", format="pab-opto")
     assert raised.value.hint
+
+
+def test_what_is_too_large_is_masked_without_a_warning(tmp_path: Path):
+    text = files.pab_text(35, 20, dsf=True).splitlines()
+    text[-1] = "89.9\t0\t1e308"
+    (tmp_path / "a.txt").write_text("\n".join(text) + "\n")
+    m = read(tmp_path / "a.txt")
+    assert dict(m.masked) == {"not a finite number": 1}

@@ -258,13 +258,23 @@ def main() -> None:
     parser.add_argument("--readers", nargs="*", default=None, help="some of them; all by default")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--output", type=Path, default=None, help="such as docs/fuzzing.md; printed only by default")
+    parser.add_argument(
+        "--results", type=Path, default=None, help="a JSON file that the counts are added to, over several runs"
+    )
     parser.add_argument("--examples", type=Path, default=None, help="a JSON file for the first input of each failure")
     given = parser.parse_args()
     assert set(specimens()) == set(READERS), set(READERS) ^ set(specimens())
-    results = {}
+    results: dict[str, tuple[dict[str, int], float, dict[str, str]]] = {}
+    if given.results and given.results.is_file():
+        before = json.loads(given.results.read_text())
+        results = {name: tuple(before[name]) for name in READERS if name in before}
     for name in given.readers or READERS:
-        results[name] = run(name, given.count, given.seconds, given.seed)
-        print(name, *results[name][:2], flush=True)
+        outcomes, slowest, examples = run(name, given.count, given.seconds, given.seed)
+        print(name, outcomes, f"{slowest:.2f} s", flush=True)
+        old = results.get(name, ({}, 0.0, {}))
+        results[name] = (dict(Counter(old[0]) + Counter(outcomes)), max(old[1], slowest), old[2] | examples)
+        if given.results:
+            given.results.write_text(json.dumps(results, indent=1))
         if given.examples:
             given.examples.write_text(json.dumps({k: v[2] for k, v in results.items() if v[2]}, indent=1))
         if given.output:

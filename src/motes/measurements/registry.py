@@ -14,6 +14,8 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any, TypeVar
 
+import numpy as np
+
 from motes.errors import FormatError, MotesError
 from motes.files import reading
 from motes.measurements import (
@@ -305,7 +307,9 @@ def _detect(path: Path) -> Reader:
 def _guarded(path: Path, action: Callable[[], T]) -> T:
     """The action, with the operating system's refusals as errors of ours."""
     try:
-        return action()
+        # A damaged file holds 1e308 and signalling NaN: what is not finite is masked and counted, and needs no warning.
+        with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
+            return action()
     except MotesError:
         raise
     except OSError as error:
