@@ -78,6 +78,15 @@ class Keywords:
         return angles
 
 
+def told_apart(values: NDArray[np.float64], azimuths: int, radials: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Which of the samples (N, C), radial angles fastest, azimuths next, are not the pole again: at the radial angle 0 all azimuths
+    are one direction, and tables repeat its value there."""
+    table = values.reshape(-1, azimuths, len(radials), values.shape[-1])
+    again = np.zeros(table.shape[:3], bool)
+    again[:, 1:, radials == 0] = np.all(table[:, 1:, radials == 0] == table[:, :1, radials == 0], axis=-1)
+    return ~again.reshape(-1)
+
+
 def choice(text: str, known: dict[str, str], where: str, what: str) -> str:
     """One of some words, whatever their case."""
     if text.lower() not in known:

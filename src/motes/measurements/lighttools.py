@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from motes import directions
 from motes.errors import FormatError
 from motes.files import budget, reading
-from motes.measurements._keyword_text import Keywords, choice
+from motes.measurements._keyword_text import Keywords, choice, told_apart
 from motes.measurements.measurement import Measurement
 
 NAME = "lighttools"
@@ -99,6 +99,9 @@ def read_lighttools(path: Path, *, side: str = "front") -> Measurement:
     )
     wi = np.repeat(directions.from_spherical(theta_i, np.deg2rad(LIGHT) + rotation), n_out, axis=0)
     wo = np.tile(directions.from_spherical(radial, azimuth), (len(incidences), 1))
+    flat = values.reshape(-1, len(channels))
+    kept = told_apart(flat, len(grids["scatterazimuth"]), grids["scatterradial"])
+    wi, wo, flat = wi[kept], wo[kept], flat[kept]
     nm = [float(c.removesuffix(" nm")) for c in channels] if all(c.endswith(" nm") for c in channels) else None
     notes = [
         "f_r in 1/sr; the light is taken to lie at the azimuth 90 degrees + POI: by second hand, see docs/formats.md"
@@ -108,7 +111,7 @@ def read_lighttools(path: Path, *, side: str = "front") -> Measurement:
     return Measurement.from_arrays(
         wi,
         wo,
-        values.reshape(-1, len(channels)),
+        flat,
         channels=channels,
         wavelengths=nm,
         provenance={

@@ -90,7 +90,7 @@ def read_openmaterial(path: Path, *, reference: str = "light") -> Measurement:
             "authors": [str(a)[:200] for a in metadata.get("authors", []) if isinstance(a, str)][:20]
             if isinstance(metadata.get("authors"), list)
             else [],
-            "receiver_solid_angles": len(solid) if isinstance(solid, list) else 0,
+            **({"receiver_solid_angles": len(solid)} if isinstance(solid, list) else {}),
             "notes": notes,
         },
     )

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from motes import directions
 from motes.errors import FormatError
 from motes.files import budget, reading
-from motes.measurements._keyword_text import Keywords, choice
+from motes.measurements._keyword_text import Keywords, choice, told_apart
 from motes.measurements.measurement import Measurement
 
 NAME = "zemax"
@@ -66,10 +66,14 @@ def read_zemax(path: Path) -> Measurement:
     names = [name for name in ("grey", "X", "Y", "Z") if name in tables]
     values = np.stack([tables[name] for name in names], axis=-1)
     wi, wo = _directions(grids)
+    kept = told_apart(values, len(grids["scatterazimuth"]), grids["scatterradial"])
+    wi, wo, values = wi[kept], wo[kept], values[kept]
     notes = [
         "f_r in 1/sr; radial angles are those to the mirror direction, azimuths count from the side of the normal",
         f"Symmetry: {symmetry or 'not stated'}; angles that the file leaves out by symmetry are left out here, too",
     ]
+    if not kept.all():
+        notes.append(f"{int(np.count_nonzero(~kept)):,} repeats of the value in the mirror direction are left out")
     rotations = grids["samplerotation"]
     if len(rotations) > 1:
         notes.append("SampleRotation is taken as the azimuth of the light; which way it counts is not stated")
