@@ -36,7 +36,7 @@ class Part:
     @property
     def width(self) -> int:
         """The number of channels of its values."""
-        return self.quantity.where.stop - self.quantity.where.start
+        return int(self.quantity.where.stop - self.quantity.where.start)
 
     @property
     def size(self) -> int:

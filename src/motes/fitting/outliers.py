@@ -87,7 +87,7 @@ def joint_fit(
 def _noise(problem: Problem, fits: ScanFits, usable: NDArray[np.intp]) -> Floats:
     """Root mean square of the weighted residuals of each scan."""
     samples = np.array([np.count_nonzero(problem.weights[t]) for t in usable])
-    return np.sqrt(2 * fits.normal.objective / np.maximum(samples - problem.size, 1))
+    return np.asarray(np.sqrt(2 * fits.normal.objective / np.maximum(samples - problem.size, 1)))
 
 
 def _misfit(joint: Joint, c: Floats, fits: ScanFits, noise: float) -> Floats:

@@ -6,9 +6,9 @@ shared parameters, never from a dense Jacobian."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import NamedTuple, Self
+from typing import NamedTuple, Self, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,7 @@ from motes.kernels.numpy import FitFunction, residual_function
 from motes.models import BRDF
 from motes.parameters import Parameter
 
+Part = TypeVar("Part")
 # Elements (parameter sets x samples x channels) worked on at a time: few enough that the arrays of a pass stay in
 # cache, enough that NumPy's overhead of a call does not show.
 CHUNK = 1 << 17
@@ -104,7 +105,7 @@ class Problem:
 
     @property
     def channels(self) -> int:
-        return self.values.shape[-1]
+        return int(self.values.shape[-1])
 
     @property
     def size(self) -> int:
@@ -214,14 +215,15 @@ class Problem:
         residual: MacKinnon and White's HC3 (1985).  It needs no assumption that the noise is the same everywhere, or
         goes with the weights."""
         results = self._mapped(lambda rows: (self._spread_part(x[None], inverse, rows, sets),), 1)
-        return np.sum([part for (part,) in results], axis=0)
+        return np.asarray(np.sum([part for (part,) in results], axis=0))
 
     def curvature(self, x: Floats, sets: NDArray[np.intp] | None = None) -> Floats:
         """The expected second derivative (P, P) of the objective at one parameter vector, for standard errors.
 
         It is the Gauss-Newton matrix for least squares.  Under a robust function the matrix that makes good steps is
         larger than that: it leaves out that a residual counts less as it grows."""
-        return np.sum(self._mapped(lambda rows: self._curvature_part(x[None], rows, sets), 1), axis=0)
+        parts = self._mapped(lambda rows: self._curvature_part(x[None], rows, sets), 1)
+        return np.asarray(np.sum(parts, axis=0))
 
     def pull(self, x: Floats, sets: NDArray[np.intp] | None = None) -> Floats:
         """By how much the gradient (P,) changes when all values grow by their common uncertainty, one standard deviation."""
@@ -251,7 +253,7 @@ class Problem:
     def _curvature_part(self, x: Floats, rows: slice, sets: NDArray[np.intp] | None) -> Floats:
         residual, jacobian = self._linearised(x, rows, sets)
         bend = np.moveaxis(self.robust.bend((residual / self.scale) ** 2), 2, 1)[..., None]  # (1, C, n, 1)
-        return self._matrix(np.swapaxes(jacobian, 2, 3) @ (bend * jacobian))[0]
+        return np.asarray(self._matrix(np.swapaxes(jacobian, 2, 3) @ (bend * jacobian))[0])
 
     def _spread_part(self, x: Floats, inverse: Floats, rows: slice, sets: NDArray[np.intp] | None) -> Floats:
         residual, jacobian = self._linearised(x, rows, sets)
@@ -262,7 +264,7 @@ class Problem:
         leverage = np.einsum("cnk,ckl,cnl->cn", jacobian[0], blocks, jacobian[0])
         leverage *= np.moveaxis(self.robust.bend(z), 2, 1)[0]
         scaled = jacobian[0] * (psi / np.maximum(1 - leverage, 0.05))[..., None]
-        return self._matrix((np.swapaxes(scaled, 1, 2) @ scaled)[None])[0]
+        return np.asarray(self._matrix((np.swapaxes(scaled, 1, 2) @ scaled)[None])[0])
 
     def _linearised(self, x: Floats, rows: slice, sets: NDArray[np.intp] | None) -> tuple[Floats, Floats]:
         """Weighted residuals (B, n, C) and their derivatives (B, C, n, K): per-channel parameters, then shared."""
@@ -296,7 +298,7 @@ class Problem:
     def _broadcast(self, f: Floats, rows: slice, batch: int = 1) -> Floats:
         return np.broadcast_to(f, (batch, rows.stop - rows.start, self.channels))
 
-    def _mapped(self, work, batch: int):
+    def _mapped(self, work: Callable[[slice], Part], batch: int) -> list[Part]:
         """`work` on slices of the directions, in their order, on all processors when there is much to do."""
         step = max(64, CHUNK // max(1, batch * self.channels))
         if batch * self.channels * len(self.wi) >= CHUNK // 4:  # worth sharing; the same slices on any machine
@@ -304,13 +306,13 @@ class Problem:
         slices = [slice(k, min(k + step, len(self.wi))) for k in range(0, len(self.wi), step)]
         if len(slices) < 4:
             return [work(rows) for rows in slices]
-        results: list = [None] * len(slices)
+        results: dict[int, Part] = {}
 
         def one(k: int, _: None) -> None:
             results[k] = work(slices[k])
 
         workers.spread(len(slices), one, lambda: None)
-        return results
+        return [results[k] for k in range(len(slices))]
 
     # ------------------------------------------------------------ layout
 

@@ -172,7 +172,7 @@ def _weights(weights: ArrayLike | None, count: int) -> Floats:
     given = np.ones(count) if weights is None else np.asarray(weights, float)
     if given.shape != (count,) or not np.isfinite(given).all() or (given < 0).any() or not given.any():
         raise DataError(f"weights of shape {given.shape} do not fit", f"Give {count} numbers >= 0, not all 0")
-    return given / given.mean()
+    return np.asarray(given / given.mean())
 
 
 def _parts(

@@ -120,7 +120,7 @@ class Profile:
         picked = np.einsum("vtp,vk->tpk", self._pick, directions)
         middle = np.einsum("tpk,tpq,tql->kl", picked, middles, picked, optimize=True)
         inverse = np.linalg.pinv(directions.T @ self.matrix @ directions, rcond=1e-9, hermitian=True)
-        rank = np.linalg.matrix_rank(inverse, hermitian=True)
+        rank = int(np.linalg.matrix_rank(inverse, hermitian=True))
         return max(float(np.trace(inverse @ middle)) / (max(rank, 1) * noise), 1.0)
 
     def fitted(self, kind: str) -> tuple[float, Floats]:

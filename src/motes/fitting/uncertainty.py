@@ -78,7 +78,7 @@ class Uncertainty(NamedTuple):
         """(P, P), NaN where undefined."""
         with np.errstate(all="ignore"):
             root = np.sqrt(np.diag(self.covariance))
-            return self.covariance / np.outer(root, root)
+            return np.asarray(self.covariance / np.outer(root, root))
 
 
 def at_rest(objective: Objective, x: Floats) -> Floats:

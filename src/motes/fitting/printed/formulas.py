@@ -39,7 +39,8 @@ class Formulas:
 
     def _each(self, function: Callable[..., Symbol], arguments: int) -> Callable[..., Any]:
         lift = self.graph.lift
-        return np.frompyfunc(lambda *items: function(*map(lift, items)), arguments, 1)
+        each: Callable[..., Any] = np.frompyfunc(lambda *items: function(*map(lift, items)), arguments, 1)
+        return each
 
     # ------------------------------------------------------------ leaves
 
