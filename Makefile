@@ -34,6 +34,7 @@ lint: $(VENV)/.installed-dev
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports --no-cache
+	$(BIN)/python tools/rooms.py
 
 # One rule for both sets of packages: all and dev.  Making an environment over an existing one mends a half-made one.
 $(VENV)/.installed-%: pyproject.toml

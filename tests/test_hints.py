@@ -218,7 +218,7 @@ def test_what_a_hint_says_works(name: str, motes: Run, tmp_path: Path) -> None:
 
 def test_findings_that_name_an_option_name_one_that_exists() -> None:
     known = set().union(*COMMANDS.values())
-    for file in ("measurements/plausibility.py", "fitting/plausibility.py"):
+    for file in ("measurements/doubts.py", "fitting/plausibility.py"):
         text = (ROOT / "src" / "motes" / file).read_text()
         options = re.findall(r"--[a-z][a-z-]*", text)
         assert options

@@ -29,18 +29,13 @@ def rooms() -> ModuleType:
     return module
 
 
-# Names that two rooms share, and rooms whose circles, are still to be mended.
-DOUBLE = {"covariance", "klems", "plausibility", "tensor_tree"}
-ROUND = ("motes.fitting.",)
-
-
 def test_there_are_no_circles_among_files(rooms: ModuleType) -> None:
-    found = [circle for circle in rooms.circles("motes") if not all(file.startswith(ROUND) for file in circle.files)]
+    found = rooms.circles("motes")
     assert not found, "\n".join(map(str, found))
 
 
 def test_a_name_is_one_thing(rooms: ModuleType) -> None:
-    assert rooms.shared_names(ROOT / "src" / "motes").keys() <= DOUBLE
+    assert rooms.shared_names(ROOT / "src" / "motes") == {}
 
 
 def package(folder: Path, name: str, **files: str) -> None:

@@ -32,7 +32,7 @@ def info(
     from motes.cli import console
     from motes.cli.paths import existing, is_map, material_at
     from motes.measurements import Measurement, list_samples, read
-    from motes.measurements.plausibility import implausible
+    from motes.measurements.doubts import implausible
 
     path = existing(data)
     if is_map(data):

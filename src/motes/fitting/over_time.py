@@ -31,7 +31,7 @@ from motes.fitting.uncertainty import uncertainty, verdict_of
 from motes.fitting.verdicts import Verdict
 from motes.material import Material
 from motes.measurements import Measurement
-from motes.measurements.plausibility import implausible
+from motes.measurements.doubts import implausible
 from motes.models import BRDF, describe
 from motes.trends import KINDS
 

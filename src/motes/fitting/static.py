@@ -26,7 +26,7 @@ from motes.fitting.uncertainty import at_rest, uncertainty
 from motes.fitting.verdicts import Status, Verdict
 from motes.material import Material
 from motes.measurements import Measurement
-from motes.measurements.plausibility import implausible
+from motes.measurements.doubts import implausible
 from motes.models import BRDF, describe
 
 #: With more than three times as many samples, candidates are compared on this many.
