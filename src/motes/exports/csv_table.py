@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from motes.channels import numbered, spectral_names
+from motes.channels import GREY, RGB, numbered, spectral_names
 from motes.directions import from_spherical
 from motes.exports.shaders import plain, source_of_equations
 from motes.exports.subject import Subject
@@ -20,7 +20,7 @@ SUFFIX = ".csv"
 THETA_I_DEG = tuple(range(0, 90, 15))
 THETA_R_DEG = tuple(range(0, 90, 5))
 PHI_DEG = tuple(range(0, 181, 15))
-_PLAIN = ("R", "G", "B", "grey")  # names of channels that need no word for what is in them
+_PLAIN = (*RGB, *GREY)  # names of channels that need no word for what is in them
 
 
 def grid() -> NDArray[np.float64]:

@@ -115,13 +115,12 @@ class BRDF(Reflecting, ABC):
         >>> Lambert(K_d=(0.5, 0.25)).eval([0, 0, 1], [0, 0.6, 0.8]).round(4)
         array([0.1592, 0.0796])
         """
-        wi, wo, xp = self._prepared(wi, wo)
+        wi, wo, xp, shape = self._prepared(wi, wo)
         if xp is NUMPY:
             from motes.kernels import engine
 
             # What counts is how many pairs there are once all shapes are broadcast: an outer product is small in each factor.
-            pairs = math.prod(np.broadcast_shapes(wi.shape[:-1], wo.shape[:-1], *leading(self)))
-            if pairs >= engine.THRESHOLD and engine.available():
+            if math.prod(shape) >= engine.THRESHOLD and engine.available():
                 return engine.evaluate(self, wi, wo)
         model = lifted(self, xp, wi)
         geometry = Geometry(xp, Vector.of(wi), Vector.of(wo))
@@ -143,7 +142,7 @@ class BRDF(Reflecting, ABC):
         wo (..., 3), pdf (...) per solid angle [1/sr], weight (..., C) = eval(wi, wo) cos(theta_r) / pdf
             A sample below the horizon has weight 0 and pdf 0: its energy is lost.
         """
-        wi, u, xp = self._prepared(wi, u, last=(3, 2))
+        wi, u, xp, _ = self._prepared(wi, u, last=(3, 2))
         shape = np.broadcast_shapes(tuple(wi.shape[:-1]), tuple(u.shape[:-1]))
         wi = broadcast(wi, (*shape, 3))
         with np.errstate(all="ignore"):
@@ -167,7 +166,7 @@ class BRDF(Reflecting, ABC):
 
         It integrates to 1 less the share of samples lost below the horizon.
         """
-        wi, wo, xp = self._prepared(wi, wo)
+        wi, wo, xp, _ = self._prepared(wi, wo)
         with np.errstate(all="ignore"):
             components, chances = self._chances(xp, wi)
             total: Array = 0.0
@@ -193,7 +192,7 @@ class BRDF(Reflecting, ABC):
         -------
         array (..., C)
         """
-        wi, _, xp = self._prepared(wi, wi)
+        wi, _, xp, _ = self._prepared(wi, wi)
         return directional_albedo(self, xp, wi, nodes)
 
     def spherical_albedo(self, *, nodes: int = 32) -> NDArray[np.float64]:
@@ -239,8 +238,10 @@ class BRDF(Reflecting, ABC):
         super().__post_init__()
         self.check_channels()
 
-    def _prepared(self, a: Array, b: Array, last: tuple[int, int] = (3, 3)) -> tuple[Array, Array, Array]:
-        """Both inputs as arrays of one library, and its namespace."""
+    def _prepared(
+        self, a: Array, b: Array, last: tuple[int, int] = (3, 3)
+    ) -> tuple[Array, Array, Array, tuple[int, ...]]:
+        """Both inputs as arrays of one library, its namespace, and the shape to which they and the parameters broadcast."""
         values = [slot.value for slot in self.slots()]
         xp = namespace(a, b, *values)
         foreign = next((x for x in (a, b, *values) if is_foreign(x)), None)
@@ -265,14 +266,14 @@ class BRDF(Reflecting, ABC):
             prepared.append(x)
         shapes = [tuple(x.shape[:-1]) for x in prepared] + leading(self)
         try:
-            np.broadcast_shapes(*shapes)
+            shape = np.broadcast_shapes(*shapes)
         except ValueError:
             listed = ", ".join(str(shape) for shape in dict.fromkeys(shapes) if shape)
             raise DataError(
                 f"{type(self).__name__}: shapes that do not broadcast: {listed}",
                 "All but the last axis of directions, random numbers and parameters must match, or be 1 or absent",
             ) from None
-        return prepared[0], prepared[1], xp
+        return prepared[0], prepared[1], xp, shape
 
     def _chances(self, xp: Array, wi: Array) -> tuple[list[Component], list[Array]]:
         """The components with parameters that broadcast against (...), and the chance that `sample` takes each."""
