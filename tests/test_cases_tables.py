@@ -5,6 +5,7 @@ Each test writes its own input.
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -15,7 +16,8 @@ from numpy.typing import ArrayLike, NDArray
 
 import motes
 from motes.directions import HORIZON, above, from_spherical
-from motes.measurements import Measurement, policy
+from motes.measurements import READERS, Measurement, policy
+from motes.measurements.plausibility import implausible
 
 Floats = NDArray[np.float64]
 TRUTH = motes.OrenNayar(K_d=(0.55, 0.4, 0.25), sigma_d=0.35) + motes.TorranceSparrow(K_s=0.4, sigma_s=0.2)
@@ -119,3 +121,168 @@ def test_a_dark_channel_is_not_biased_by_its_negative_noise() -> None:
     share = np.mean(within, axis=0)
     assert np.all((share > 0.60) & (share < 0.76)), share
     np.testing.assert_allclose(np.mean(values, axis=0), K_d, atol=4 * 0.0007 / np.sqrt(240))
+
+
+# ---------------------------------------------------------------- 05: an uncertainty beside the value
+
+
+@pytest.mark.parametrize("kind", ["brdf_unc", "sigma_brdf", "u(f_r)", "BRDF std", "rel_unc", "uncertainty (%)"])
+def test_an_uncertainty_weighs_the_fit(kind: str, tmp_path: Path) -> None:
+    brdf = motes.OrenNayar(K_d=0.4, sigma_d=0.35) + motes.TorranceSparrow(K_s=0.4, sigma_s=0.2)
+    angles = goniometer((15, 30, 45, 60), range(5, 70, 10), (0, 45, 90, 135, 180))
+    f = evaluated(brdf, angles, 0.02, seed=3)
+    factor = {"rel_unc": 1 / f, "uncertainty (%)": 100 / f}.get(kind, 1.0)
+    u = 0.02 * evaluated(brdf, angles) * factor
+    data = motes.read(write(tmp_path / "scan.csv", f"{HEADER[:-5]}brdf,{kind}", np.hstack([angles, f, u])))
+    assert data.channels == ("grey",)
+    fit = motes.fit(data, model="oren_nayar + torrance_sparrow")
+    for name, truth in (("K_d", 0.4), ("sigma_d", 0.35), ("K_s", 0.4), ("sigma_s", 0.2)):
+        p = fit.parameters[name]
+        assert abs(float(np.ravel(p.value)[0]) - truth) < 4 * float(np.ravel(p.stderr)[0])
+        assert float(np.ravel(p.stderr)[0]) < 0.05
+    assert 0.7 < fit.metrics["reduced_chi_square"] < 1.35
+
+
+def test_reduced_chi_square_is_1_and_errors_are_calibrated() -> None:
+    angles = goniometer((15, 35, 55), range(0, 70, 10), (0, 90, 180))
+    wi, wo = (from_spherical(np.radians(angles[:, k]), np.radians(angles[:, k + 1])) for k in (0, 2))
+    truth = motes.OrenNayar(K_d=(0.5, 0.3, 0.1), sigma_d=0.4)
+    f = truth.eval(wi, wo)
+    sigma = 0.002 + 0.03 * f
+    chi, pulls = [], []
+    for seed in range(80):
+        noise = sigma * np.random.default_rng(seed).standard_normal(f.shape)
+        fit = motes.fit(Measurement.from_arrays(wi, wo, f + noise, uncertainties=sigma), model="oren_nayar")
+        chi.append(fit.metrics["reduced_chi_square"])
+        pulls.append((fit.parameters["K_d"].value - np.array([0.5, 0.3, 0.1])) / fit.parameters["K_d"].stderr)
+    assert abs(np.mean(chi) - 1) < 0.1
+    assert 0.75 < np.sqrt(np.mean(np.square(pulls))) < 1.25
+
+
+# ---------------------------------------------------------------- 06: the name of the time
+
+
+@pytest.mark.parametrize(("name", "unit"), [("hours", 1.0), ("day", 24.0), ("time (min)", 1 / 60), ("t_s", 1 / 3600)])
+def test_a_time_by_any_name_gives_scans(name: str, unit: float, tmp_path: Path) -> None:
+    angles = goniometer((15, 45), range(5, 70, 10), (0, 90, 180))
+    hours = np.array([0.0, 2, 4, 8, 16])
+    rows = [
+        np.hstack(
+            [angles, np.full((len(angles), 1), h / unit), evaluated(motes.Lambert((0.1 + 0.01 * h, 0.2, 0.3)), angles)]
+        )
+        for h in hours
+    ]
+    data = motes.read(write(tmp_path / "t.csv", HEADER.replace("R,", f"{name},R,"), np.vstack(rows), 12))
+    np.testing.assert_allclose(data.times, hours, rtol=1e-9)
+    assert data.values.shape == (5, len(angles), 3)
+    assert data.channels == ("R", "G", "B")
+
+
+# ---------------------------------------------------------------- 10: azimuths from the mirror side
+
+
+def in_plane(path: Path, phi_r: float) -> Path:
+    """Signed theta_r, positive on the mirror side; `phi_r` is what the file says of it."""
+    rows = []
+    for theta_i in (20.0, 40.0, 60.0):
+        for theta_r in range(-70, 71, 5):
+            true = np.array([[theta_i, 0.0, float(theta_r), 180.0]])
+            rows.append(
+                [theta_i, theta_r, phi_r, *evaluated(TRUTH, true, 0.01, seed=abs(int(theta_i) * 1000 + theta_r))[0]]
+            )
+    return write(path, "theta_i_deg,theta_r_deg,phi_r_deg,R,G,B", rows)
+
+
+def test_a_highlight_on_the_side_of_the_lamp_is_said(motes: Any, tmp_path: Path) -> None:
+    wrong, right = in_plane(tmp_path / "wrong.csv", 0.0), in_plane(tmp_path / "right.csv", 180.0)
+    said = json.loads(motes("info", wrong, "--json")[1])["findings"]
+    assert len(said) == 1
+    assert "side of the lamp" in said[0]
+    assert "--read azimuth=mirror" in said[0]
+    assert json.loads(motes("info", right, "--json")[1])["findings"] == []
+    assert json.loads(motes("info", wrong, "--json", "--read", "azimuth=mirror")[1])["findings"] == []
+    status, out, _ = motes("fit", wrong, "--no-report", "-m", "oren_nayar + torrance_sparrow", "--fix", "sigma_d=0.35")
+    assert status == 0
+    assert "azimuth=mirror" in out
+    assert any("azimuth=mirror" in text for text in json.loads(Path("motes-wrong/fit.json").read_text())["findings"])
+
+
+# ---------------------------------------------------------------- 12: one scan of one angle
+
+
+def test_a_scan_of_one_angle_names_what_is_missing(motes: Any, tmp_path: Path) -> None:
+    theta = np.arange(0.0, 80, 2)
+    angles = np.stack([theta, 0 * theta, 8 + 0 * theta, 180 + 0 * theta], axis=1)
+    f = evaluated(TRUTH, angles, 0.02)[:, :1]
+    path = write(tmp_path / "one.csv", "theta_i_deg,brdf", np.hstack([theta[:, None], f]))
+    status, _, error = motes("fit", path, "--no-report")
+    assert status == 2
+    assert "has no column theta_r, phi_r" in error
+    reading = ("--read", "theta_r_deg=8", "--read", "phi_r_deg=180")
+    status, out, _ = motes("fit", path, "--no-report", *reading, "-m", "oren_nayar + torrance_sparrow")
+    assert status == 0
+    assert "The viewer is within 8 degrees of the normal" in out
+
+
+# ---------------------------------------------------------------- what nothing looked at
+
+
+def flat(tmp_path: Path, values: Floats, header: str = HEADER) -> Measurement:
+    angles = goniometer((15, 45), range(5, 70, 10), (0, 60, 120, 180))
+    data = motes.read(
+        write(tmp_path / "t.csv", header, np.hstack([angles, np.broadcast_to(values, (len(angles), values.shape[-1]))]))
+    )
+    assert isinstance(data, Measurement)
+    return data
+
+
+@pytest.mark.parametrize(
+    ("scale", "words"),
+    [(np.pi, "=reflectance_factor'"), (100 * np.pi, "=reflectance_factor_percent'"), (1e5, "not in 1/sr")],
+)
+def test_more_light_out_than_in_is_said(scale: float, words: str, tmp_path: Path) -> None:
+    angles = goniometer((15, 45), range(5, 70, 10), (0, 60, 120, 180))
+    f = evaluated(motes.OrenNayar(K_d=(0.8, 0.7, 0.6), sigma_d=0.3), angles, 0.01)
+    data = flat(tmp_path, scale * f)
+    said = implausible(data)
+    assert len(said) == 1
+    assert said[0].startswith("More light out than in")
+    assert words in said[0]
+    assert implausible(flat(tmp_path, f)) == ()
+
+
+def test_constant_and_repeated_columns_are_said(tmp_path: Path) -> None:
+    angles = goniometer((15, 45), range(5, 70, 10), (0, 60, 120, 180))
+    f = evaluated(motes.OrenNayar(K_d=(0.4, 0.3, 0.2), sigma_d=0.3), angles, 0.01)
+    f[:, 1] = f[:, 0]
+    f[:, 2] = 0.25
+    said = " ".join(implausible(flat(tmp_path, f)))
+    assert "The same number stands at all directions in B" in said
+    assert "R and G hold the same numbers" in said
+
+
+def test_parameters_beyond_physics_and_poor_fits_are_said() -> None:
+    angles = goniometer((15, 45), range(5, 70, 10), (0, 60, 120, 180))
+    wi, wo = (from_spherical(np.radians(angles[:, k]), np.radians(angles[:, k + 1])) for k in (0, 2))
+    bright = motes.fit(Measurement.from_arrays(wi, wo, evaluated(motes.Lambert(1.4), angles, 0.01)), model="lambert")
+    assert any("K_d = 1.4 is above 1" in text for text in bright.findings)
+    glossy = evaluated(motes.Lambert(0.1) + motes.TorranceSparrow(K_s=2.0, sigma_s=0.1), angles, 0.01)
+    poor = motes.fit(Measurement.from_arrays(wi, wo, glossy), model="lambert")
+    assert any(text.startswith("The model misses much") for text in poor.findings)
+    assert "--model auto" in " ".join(poor.findings)
+
+
+def test_a_simulation_says_that_it_is_one(motes: Any) -> None:
+    assert motes("simulate", "scans", "--scans", "1", "--step-deg", "10")[0] == 0
+    about = json.loads(motes("info", "scans", "--json")[1])
+    assert about["simulated"] is True
+    assert about["source"].startswith("simulated by Motes")
+    status, out, _ = motes("fit", "scans", "-m", "lambert", "--no-report", "-o", "out")
+    assert status == 0
+    assert "simulated by Motes" in out
+    assert json.loads(Path("out/fit.json").read_text())["measurement"]["source"].startswith("simulated")
+
+
+def test_sources_name_a_layout_and_not_who_measured() -> None:
+    for reader in READERS.values():
+        assert not reader.source.startswith(("Gu ", "Sun,", "Matusik", "Dana", "Dupuy"))

@@ -137,7 +137,7 @@ def _show(
     from motes.cli.printed_tables import parameter_table, verdict_notes
 
     one, n = result.measurement, measurement.n_times
-    rows = [("data", f"{measurement.name}: {_size(one)}")]
+    rows = [("data", f"{measurement.name}: {_size(one)}"), *_taken_for(measurement)]
     if n > 1:
         at = "" if measurement.time_unit == "scan" else f" (at {measurement.times[index]:.4g} {measurement.time_unit})"
         rows.append(("time", f"{index}{at} of {n}, 0 to {n - 1}; {why}"))
@@ -162,6 +162,7 @@ def _show_trends(result: TimeFit, truth: dict[str, Any] | None, written: list[Ro
     span = f"scan {first} to {last}" if data.time_unit == "scan" else f"{first} to {last} {data.time_unit}"
     rows = [
         ("data", f"{data.name}: {data.n_times} scans, {span}; {_size(data)}"),
+        *_taken_for(data),
         ("model", _model(result)),
     ]
     console.print_facts(rows)
@@ -173,6 +174,13 @@ def _show_trends(result: TimeFit, truth: dict[str, Any] | None, written: list[Ro
     print()
     coefficients = f"{int(result.metrics['n_coefficients'])} coefficients, {result.seconds:.2f} s"
     console.print_facts([*trend_notes(result), *_ending(result, coefficients), *written])
+
+
+def _taken_for(data: Measurement) -> list[Row]:
+    """What the columns of a table were taken for, and that simulated data are simulated."""
+    columns = data.provenance.get("columns")
+    rows = [("columns", "; ".join(map(str, columns)))] if columns else []
+    return [*rows, *([("source", str(data.provenance["source"]))] if data.provenance.get("simulated") else [])]
 
 
 def _size(data: Measurement) -> str:

@@ -12,7 +12,7 @@ import json
 import re
 import unicodedata
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, lru_cache
 from importlib import resources
 from typing import Any
 
@@ -115,6 +115,7 @@ def is_unit(text: str) -> bool:
     return normal(text) in _units()
 
 
+@lru_cache(maxsize=65536)
 def column(name: str) -> Column | None:
     """What a name says, or None for one that is not known.
 

@@ -19,7 +19,7 @@ from motes.images import exr as _exr
 from motes.measurements.measurement import Measurement
 
 NAME = "merl-slice"
-SOURCE = "Matusik, Pfister, Brand, McMillan, A Data-Driven Reflectance Model, ACM TOG 22(3), 2003; slices via ALTA"
+SOURCE = "in the layout of slices of the MERL database (Matusik, Pfister, Brand, McMillan, ACM TOG 22(3), 2003) of ALTA"
 SIZE = (512, 512)
 
 
