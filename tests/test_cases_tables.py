@@ -285,4 +285,4 @@ def test_a_simulation_says_that_it_is_one(motes: Any) -> None:
 
 def test_sources_name_a_layout_and_not_who_measured() -> None:
     for reader in READERS.values():
-        assert not reader.source.startswith(("Gu ", "Sun,", "Matusik", "Dana", "Dupuy"))
+        assert not reader.source.startswith(("Gu ", "Gu,", "Sun,", "Matusik", "Dana", "Dupuy"))

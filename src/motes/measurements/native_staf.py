@@ -22,7 +22,7 @@ from motes.images import exr
 from motes.measurements.tabulated_maps import TabulatedMaps
 
 NAME = "native-staf"
-SOURCE = "Gu, Tu, Ramamoorthi, Belhumeur, Matusik, Nayar, Time-varying Surface Appearance, ACM TOG 25(3), 2006"
+SOURCE = "in the layout of the STAF database (Gu, Tu, Ramamoorthi, Belhumeur, Matusik, Nayar, ACM TOG 25(3), 2006)"
 PARTS = ("Kd", "Ks", "Sigma")
 DEGREE = 6
 MOST_TIMES = 10_000
