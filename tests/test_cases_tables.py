@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 import motes
 from motes.directions import HORIZON, above, from_spherical
 from motes.measurements import READERS, Measurement, policy
-from motes.measurements.plausibility import implausible
+from motes.measurements.doubts import implausible
 
 Floats = NDArray[np.float64]
 TRUTH = motes.OrenNayar(K_d=(0.55, 0.4, 0.25), sigma_d=0.35) + motes.TorranceSparrow(K_s=0.4, sigma_s=0.2)
