@@ -15,6 +15,7 @@ from motes.directions import from_spherical
 from motes.fitting.result import Fit
 from motes.fitting.time_result import TimeFit
 from motes.fitting.verdicts import Verdict
+from motes.measurements.table import NAME as TABLE
 from motes.models import BRDF
 from motes.parameters import Role
 
@@ -107,9 +108,11 @@ def _backward(fit: Fit | TimeFit) -> list[str]:
     for name, value, error in _values(fit, Role.ASYMMETRY):
         lowest = float(np.nanmin(value + SURE * np.nan_to_num(error, nan=0.0)))
         if lowest < BACKWARD:
+            table = fit.measurement.provenance.get("format") == TABLE
+            turn = " --read azimuth=mirror reads a table whose azimuths count from the side of the mirror direction."
             return [
-                f"{name} = {np.nanmin(value):.2g}: a layer that scatters back to the lamp is rare, and a highlight on the wrong side looks like one. "
-                "--read azimuth=mirror reads a table whose azimuths count from the side of the mirror direction."
+                f"{name} = {np.nanmin(value):.2g}: a layer that scatters back to the lamp is rare; a highlight on the wrong side looks like one, and so "
+                f"does what a model lacks.{turn if table else ''}"
             ]
     return []
 
