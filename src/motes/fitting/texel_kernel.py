@@ -27,9 +27,10 @@ from motes.trends import KINDS
 Singles = NDArray[np.float32]
 
 MAX_ITERATIONS = 60
-#: A texel has converged when a step promises less than this share of its objective; the step is taken.
-#: Under a robust function fits creep to their minimum, and what is left after a step is about as large as the step.
-REDUCTION, ROBUST_REDUCTION = 1e-9, 1e-10
+#: A texel has converged when a step promises less than this share of its objective; that step is taken, and one more by the gradient there.  Moments are
+#: asked for more than they can tell, so that rounding decides; under a robust function what is left after a step is about as large as the step.
+REDUCTION = {"moments": 1e-9, "direct": 1e-7}
+ROBUST_REDUCTION = 1e-10
 TASK = 128 * LANES  # texels that a thread takes at a time
 # Blocks with at most so many texels left hand them over to blocks of such texels; not worth it for few.
 STRAGGLERS, FEW = LANES // 4, 8 * LANES
@@ -110,7 +111,7 @@ class Kernel:
         self.basis = _basis(fit)
         facts = fit.facts
         whole = float(np.count_nonzero(fit.weights) * self.channels * self.times)
-        numbers = np.array([REDUCTION if robust.name == "none" else ROBUST_REDUCTION, ROUNDING, whole])
+        numbers = np.array([REDUCTION[self.form] if robust.name == "none" else ROBUST_REDUCTION, ROUNDING, whole])
         self.box = np.concatenate(
             [
                 facts.low[:, 0],

@@ -86,17 +86,17 @@ class Sums:
 
 
 def direct(model: Traced) -> NormalEquations:
-    """The sums themselves."""
-    graph = model.graph
+    """The sums themselves; the model's data are weighed by the channel (`Data.by_channel`)."""
+    graph, weights = model.graph, model.data.weights
     one = graph.constant(1.0)
     jacobian, residuals = model.jacobian(), model.residuals()
-    slopes, bends, curving = [one] * len(jacobian), [one] * len(jacobian), []
+    slopes, curving = list(weights), list[Symbol]()
     lost, unit = total([r * r for r in residuals]), one
     if model.is_robust:
         sizes = model.sizes()
         lost, unit = total([graph.lift(model.robust.of(graph, z)) for z in sizes]), model.noise * model.noise
-        slopes = [graph.lift(model.robust.sloped(graph, z)) for z in sizes]
-        bends = [graph.lift(model.robust.bent(graph, z)) for z in sizes]
+        slopes = [w * graph.lift(model.robust.sloped(graph, z)) for w, z in zip(weights, sizes, strict=True)]
+        bends = [w * graph.lift(model.robust.bent(graph, z)) for w, z in zip(weights, sizes, strict=True)]
         curving = model.products(jacobian, bends)
     wanted = [lost, *model.gradient(), *model.products(jacobian, slopes)]
     sums = Sums(graph, "sum")

@@ -80,6 +80,8 @@ class Traced:
         The size of a residual in units of which the robust function measures.
     leverage
         Leaves for the (packed) inverse of the curvature.
+    by_channel
+        Whether each channel of a sample has a weight of its own.
     """
 
     leaves: dict[Symbol, int]
@@ -91,6 +93,7 @@ class Traced:
     robust: Robust
     noise: Symbol
     leverage: tuple[Symbol, ...]
+    by_channel: bool
 
     @classmethod
     def of(cls, trace: tracing.Trace, fitted: Sequence[str], loss: Loss, robust: Robust, by_channel: bool) -> Traced:
@@ -129,7 +132,9 @@ class Traced:
         targets = [transformed(y) - offset for y, offset in zip(raw, offsets, strict=True)]
         data = (Data.by_channel if by_channel else Data.by_sample)(graph, raw, targets, root)
         leaves |= dict.fromkeys(data.leaves, DATA)
-        return cls(leaves, parameters, tuple(outputs), tuple(slopes), tuple(offsets), data, robust, noise, leverage)
+        return cls(
+            leaves, parameters, tuple(outputs), tuple(slopes), tuple(offsets), data, robust, noise, leverage, by_channel
+        )
 
     @property
     def graph(self) -> Graph:
@@ -142,17 +147,24 @@ class Traced:
         return [total([v * v for v in whole]), total(data.weights)]
 
     def residuals(self) -> list[Symbol]:
-        data = self.data
-        return [
-            w * (f - offset) - v
-            for w, f, offset, v in zip(data.weights, self.outputs, self.offsets, data.values, strict=True)
-        ]
+        graph, data = self.graph, self.data
+        wanted = [f - offset for f, offset in zip(self.outputs, self.offsets, strict=True)]
+        if self.by_channel:
+            return [graph.where(y <= y, f - y, 0.0) for f, y in zip(wanted, data.leaves, strict=True)]
+        return [w * f - v for w, f, v in zip(data.weights, wanted, data.values, strict=True)]
 
     def jacobian(self) -> list[dict[Symbol, Symbol]]:
-        """Derivatives of each channel's residual by the parameters."""
-        return [
-            dict(zip(row, separation.gathered([s * w for s in row.values()], self.leaves), strict=True))
+        """Derivatives of each channel's residual by the parameters, with the sample's weight; not with a channel's own (`by_channel`).
+
+        Derivatives that all channels share are then one symbol, and their products are summed once.
+        """
+        rows = [
+            list(row.values()) if self.by_channel else [s * w for s in row.values()]
             for row, w in zip(self.slopes, self.data.weights, strict=True)
+        ]
+        return [
+            dict(zip(row, separation.gathered(values, self.leaves), strict=True))
+            for row, values in zip(self.slopes, rows, strict=True)
         ]
 
     def sizes(self) -> list[Symbol]:
