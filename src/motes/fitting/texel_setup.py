@@ -87,8 +87,11 @@ class TexelSetup:
         return self.values(self.facts.low[:, 0]), self.values(self.facts.high[:, 0])
 
     def coordinates(self, x: Floats) -> Floats:
-        """What a fit moves in (..., P): the square of a parameter where the model depends on nothing else."""
-        return np.where(self.facts.squared[:, 0] > 0, np.square(x), x)
+        """What a fit moves in (..., P), a new array: the square of a parameter where the model depends on nothing else."""
+        result = np.array(x, np.float64)
+        squared = self.facts.squared[:, 0] > 0
+        result[..., squared] *= result[..., squared]
+        return result
 
     def values(self, points: Floats) -> Floats:
         """The reverse of `coordinates`."""

@@ -124,7 +124,8 @@ class TexelSolver(TexelSetup):
             raise DataError(f"starts of shape {np.shape(starts)} do not fit", f"Give an array of shape {expected}")
         if not np.isfinite(points).all():
             raise DataError("starts hold a value that is not finite", "Give parameter vectors within the bounds")
-        points = np.clip(self.coordinates(points), self.facts.low[:, 0], self.facts.high[:, 0])
+        points = self.coordinates(points)
+        np.clip(points, self.facts.low[:, 0], self.facts.high[:, 0], out=points)
         if not self.compiled:
             return self.finished(fit_slowly(self, data, points, own_starts))
         noise = None

@@ -92,7 +92,7 @@ def moments(model: Traced) -> NormalEquations | None:
         gradient=tuple(gradient),
         matrix=tuple(matrix),
         curving=(),
-        closing=model.closing(model.clamped()),
+        closing=model.unclamped().closing(model.clamped()),  # texels that a clamp touches are fitted otherwise
     )
 
 

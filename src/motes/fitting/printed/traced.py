@@ -7,7 +7,7 @@ direction's weight; it is 0 where there is no value.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from motes.fitting.losses import Loss, Robust
 from motes.fitting.printed.formulas import packed
@@ -179,10 +179,18 @@ class Traced:
     def clamped(self) -> Symbol:
         """1 where a clamp of the model acts that sums of moments leave out."""
         graph = self.graph
-        clamped = graph.constant(0.0)
-        for inner in separation.clamps(self.outputs, tracing.dependence(self.outputs, self.leaves)):
-            clamped = graph.maximum(clamped, graph.where(inner < 0, 1.0, 0.0))
-        return clamped * self.data.weights[0]
+        inner = separation.clamps(self.outputs, tracing.dependence(self.outputs, self.leaves))
+        if not inner:
+            return graph.constant(0.0)
+        least = inner[0]
+        for value in inner[1:]:
+            least = graph.minimum(least, value)
+        return graph.where(least < 0, self.data.weights[0], 0.0)
+
+    def unclamped(self) -> Traced:
+        """Without clamps: the same wherever they do nothing."""
+        outputs = separation.unclamped(self.outputs, tracing.dependence(self.outputs, self.leaves))
+        return replace(self, outputs=tuple(outputs), slopes=tuple(tracing.forward(outputs, self.parameters)))
 
     def gradient(self) -> list[Symbol]:
         """The sum over channels of the residual, as the robust function counts it, times its derivatives."""
