@@ -22,7 +22,7 @@ if (
 from motes import Lambert, Material
 from motes.ageing import age
 from motes.meshes.meshfile import read_mesh
-from motes.meshes.ply import write
+from motes.meshes.ply import write_ply
 from motes.meshes.shapes import plane, sphere
 from motes.rendering import load_mitsuba
 from motes.rendering.deposition import deposit
@@ -33,7 +33,7 @@ SECONDS = 120
 
 def test_a_sphere_gets_dust_on_top(motes: Run) -> None:
     ball = sphere(12)
-    write("ball.ply", ball)
+    write_ply("ball.ply", ball)
     status, out, err = motes("dust", "ball.ply", "--days", 30, "--set", "noise=0", "--rays", 64)
     assert (status, err) == (0, "")
     dusty = read_mesh("ball-dusty.ply")
@@ -47,7 +47,7 @@ def test_a_sphere_gets_dust_on_top(motes: Run) -> None:
 
 
 def test_what_can_be_said_is_passed_on(motes: Run) -> None:
-    write("cover.ply", plane(1, size=0.5).moved(shift=(0, 0.2, 0)))
+    write_ply("cover.ply", plane(1, size=0.5).moved(shift=(0, 0.2, 0)))
     options = ("--growth-per-day", 0.01, "--refine", 1, "--stroke", "1,0,0,1,0,1,0.2", "--seed", 3, "--rays", 32)
     status, out, err = motes("dust", "plane", "--days", 10, *options, "--shelter", "cover.ply", "--json", "-o", "a.ply")
     assert (status, err) == (0, "")
@@ -116,8 +116,8 @@ def test_meshes_of_other_formats(motes: Run) -> None:
 
 
 def test_a_mesh_far_from_the_origin_keeps_its_digits(motes: Run) -> None:
-    write("far.ply", sphere(12).moved(shift=(500_000.25, 4_100_000.5, 300)))
-    write("near.ply", sphere(12))
+    write_ply("far.ply", sphere(12).moved(shift=(500_000.25, 4_100_000.5, 300)))
+    write_ply("near.ply", sphere(12))
     for name in ("far", "near"):
         assert motes("dust", f"{name}.ply", "--days", 30, "--rays", 16, "--set", "noise=0")[0] == 0
     far, near = read_mesh("far-dusty.ply"), read_mesh("near-dusty.ply")

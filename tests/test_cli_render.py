@@ -26,7 +26,7 @@ from motes import Lambert, Material, OrenNayar, TorranceSparrow
 from motes.ageing import age
 from motes.cli.render_command import hours_of
 from motes.errors import MotesError
-from motes.meshes.ply import write
+from motes.meshes.ply import write_ply
 from motes.meshes.shapes import sphere
 from motes.rendering.films import read_radiance
 from rendering_support import Run, message
@@ -122,7 +122,7 @@ def test_every_scene_is_rendered(motes: Run, tmp_path: Path) -> None:
     mi = load_mitsuba()
     sky = np.full((4, 8, 3), 0.5, np.float32)
     mi.Bitmap(sky).write(str(tmp_path / "sky.exr"))
-    write("ball.ply", sphere(12).moved(3.0, (9, 9, 9)))
+    write_ply("ball.ply", sphere(12).moved(3.0, (9, 9, 9)))
     for scene in ("bunny", "teapot", "ball.ply"):
         assert motes("render", "red.json", "--scene", scene, *QUICK, "--quiet", "-o", "a.png") == (0, "", "")
         shown = picture("a.png")
@@ -203,7 +203,7 @@ def test_a_mesh_with_an_impossible_tau_is_explained(motes: Run, value: float, wo
     ball = sphere(6)
     tau = np.zeros(len(ball.positions))
     tau[7] = value
-    write("ball.ply", ball.with_attribute("tau", tau))
+    write_ply("ball.ply", ball.with_attribute("tau", tau))
     status, out, err = motes("render", "red.json", "--scene", "ball.ply", *QUICK, "-o", "a.png")
     assert (status, out) == (2, "")
     assert f"1 of {len(tau)} values of tau are {words}" in message(err)[0]

@@ -305,7 +305,7 @@ NAMES = {
 def test_colours_are_found_by_their_last_letter(tmp_path: Path, names: tuple[str, ...], kind: type) -> None:
     pytest.importorskip("OpenEXR")
     values = dict(zip(names, (c.astype(kind) for c in (R, G, B, A)), strict=False))
-    found = exr.read(write_exr(tmp_path / "a.exr", values), "a test")
+    found = exr.read_exr(write_exr(tmp_path / "a.exr", values), "a test")
     np.testing.assert_allclose(found.values, np.broadcast_to([0.6, 0.4, 0.2], (3, 4, 3)), rtol=1e-3)
     assert (found.alpha is None) == (len(names) == 3)
 
@@ -315,17 +315,19 @@ def test_layers_are_taken_by_name_and_never_guessed(tmp_path: Path) -> None:
     view = {f"ViewLayer.Combined.{c}": v for c, v in zip("RGBA", (R, G, B, A), strict=True)}
     depth = {"ViewLayer.Depth.Z": 5 * R, **{f"ViewLayer.Normal.{c}": G for c in "XYZ"}}
     path = write_exr(tmp_path / "a.exr", view | depth)
-    assert exr.read(path, "a test").layer == "ViewLayer.Combined"
-    np.testing.assert_array_equal(exr.read(path, "a test", "ViewLayer.Depth.Z").values[..., 0], 5 * R)
+    assert exr.read_exr(path, "a test").layer == "ViewLayer.Combined"
+    np.testing.assert_array_equal(exr.read_exr(path, "a test", "ViewLayer.Depth.Z").values[..., 0], 5 * R)
     with pytest.raises(FormatError, match=r"no layer or channel 'Depth'; it has the channels .*Depth.Z"):
-        exr.read(path, "a test", "Depth")
+        exr.read_exr(path, "a test", "Depth")
     direct = {f"ViewLayer.DiffDir.{c}": v for c, v in zip("RGB", (B, B, B), strict=True)}
     write_exr(path, view | depth | direct)
     with pytest.raises(FormatError, match=r"2 layers with colours: .* Choose one: --layer ViewLayer"):
-        exr.read(path, "a test")
-    np.testing.assert_array_equal(exr.read(path, "a test", "ViewLayer.DiffDir").values, np.stack([B] * 3, -1))
+        exr.read_exr(path, "a test")
+    np.testing.assert_array_equal(exr.read_exr(path, "a test", "ViewLayer.DiffDir").values, np.stack([B] * 3, -1))
     write_exr(path, {"R": R, "G": G, "B": B} | direct)
-    np.testing.assert_array_equal(exr.read(path, "a test").values[..., 1], G)  # the layer without a name is the picture
+    np.testing.assert_array_equal(
+        exr.read_exr(path, "a test").values[..., 1], G
+    )  # the layer without a name is the picture
 
 
 @pytest.mark.parametrize(
@@ -345,7 +347,7 @@ def test_what_is_not_colour_is_refused_with_its_names(tmp_path: Path, channels: 
     pytest.importorskip("OpenEXR")
     path = write_exr(tmp_path / "a.exr", channels)
     with pytest.raises(FormatError, match=f"the channels .*{next(iter(channels))}.*--layer"):
-        exr.read(path, "a test")
+        exr.read_exr(path, "a test")
 
 
 @pytest.mark.parametrize("name", ["Y", "L", "grey", "luminance", "View.Y"])
@@ -360,14 +362,14 @@ def test_parts(tmp_path: Path) -> None:
     pytest.importorskip("OpenEXR")
     colours = {"R": R, "G": G, "B": B, "A": A}
     path = write_parts(tmp_path / "a.exr", {"beauty": colours, "depth": {"Z": R}})
-    found = exr.read(path, "a test")
+    found = exr.read_exr(path, "a test")
     np.testing.assert_array_equal(found.values, np.stack([R, G, B], -1))
     assert found.layer == "beauty"
-    np.testing.assert_array_equal(exr.read(path, "a test", "depth.Z").values[..., 0], R)
+    np.testing.assert_array_equal(exr.read_exr(path, "a test", "depth.Z").values[..., 0], R)
     write_parts(path, {"left": colours, "right": {"R": B, "G": B, "B": B}})
     with pytest.raises(FormatError, match=r"2 layers with colours: left, right. Choose one: --layer left"):
-        exr.read(path, "a test")
-    np.testing.assert_array_equal(exr.read(path, "a test", "right").values[..., 0], B)
+        exr.read_exr(path, "a test")
+    np.testing.assert_array_equal(exr.read_exr(path, "a test", "right").values[..., 0], B)
 
 
 def windows(data: tuple[int, int, int, int], display: tuple[int, int, int, int]) -> dict[str, Any]:
@@ -381,14 +383,18 @@ def test_a_picture_is_what_its_display_window_shows(tmp_path: Path) -> None:
     pytest.importorskip("OpenEXR")
     ramp = np.arange(12, dtype=np.float32).reshape(3, 4)
     colours = {"R": ramp, "G": ramp, "B": ramp}
-    cropped = exr.read(write_exr(tmp_path / "a.exr", colours, **windows((2, 1, 5, 3), (0, 0, 7, 4))), "a test").values
+    cropped = exr.read_exr(
+        write_exr(tmp_path / "a.exr", colours, **windows((2, 1, 5, 3), (0, 0, 7, 4))), "a test"
+    ).values
     assert cropped.shape == (5, 8, 3)
     np.testing.assert_array_equal(cropped[1:4, 2:6, 0], ramp)
     assert np.isnan(cropped).sum() == (40 - 12) * 3
-    beyond = exr.read(write_exr(tmp_path / "a.exr", colours, **windows((-1, -1, 2, 1), (0, 0, 1, 0))), "a test").values
+    beyond = exr.read_exr(
+        write_exr(tmp_path / "a.exr", colours, **windows((-1, -1, 2, 1), (0, 0, 1, 0))), "a test"
+    ).values
     np.testing.assert_array_equal(beyond[..., 0], ramp[1:2, 1:3])
     with pytest.raises(FormatError, match="display window of 100000 x 100000 pixels would take"):
-        exr.read(write_exr(tmp_path / "a.exr", colours, **windows((0, 0, 3, 2), (0, 0, 99999, 99999))), "a test")
+        exr.read_exr(write_exr(tmp_path / "a.exr", colours, **windows((0, 0, 3, 2), (0, 0, 99999, 99999))), "a test")
 
 
 def test_chromaticities_and_ids(tmp_path: Path) -> None:
@@ -402,7 +408,7 @@ def test_chromaticities_and_ids(tmp_path: Path) -> None:
     np.testing.assert_array_equal(plain[0, 0], np.float32([0.6, 0.4, 0.2]))
     write_exr(tmp_path / "a.exr", {"Y": np.ones((3, 4), np.uint32)})
     with pytest.raises(FormatError, match="holds uint, which is for names"):
-        exr.read(tmp_path / "a.exr", "a test")
+        exr.read_exr(tmp_path / "a.exr", "a test")
 
 
 def test_what_is_written_is_read_by_another_library(tmp_path: Path) -> None:
@@ -412,7 +418,7 @@ def test_what_is_written_is_read_by_another_library(tmp_path: Path) -> None:
     with OpenEXR.File(str(tmp_path / "a.exr"), separate_channels=True) as file:
         for k, name in enumerate("RGB"):
             np.testing.assert_array_equal(file.channels()[name].pixels, values[..., k])
-    np.testing.assert_array_equal(exr.read(tmp_path / "a.exr", "a test").values, values)
+    np.testing.assert_array_equal(exr.read_exr(tmp_path / "a.exr", "a test").values, values)
     with pytest.raises(MotesError, match=r"cannot be written|No such"):
         exr.write(tmp_path / "a.exr" / "b.exr", values, "a test")
 
@@ -424,7 +430,7 @@ def test_many_channels_count_and_few_are_read(tmp_path: Path, monkeypatch: pytes
     monkeypatch.setattr(budget, "LEAST", 2**20)
     assert path.stat().st_size < 100_000
     with pytest.raises(FormatError, match=r"500 x 400 pixels of 3 channels would take 2 MiB of memory"):
-        exr.read(path, "a test")
+        exr.read_exr(path, "a test")
 
 
 def test_reading_in_threads_leaves_the_terminal_alone(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
@@ -440,7 +446,7 @@ def test_reading_in_threads_leaves_the_terminal_alone(tmp_path: Path, capfd: pyt
     def work() -> None:
         for name in ("a.exr", "b.exr") * 5:
             try:
-                exr.read(tmp_path / name, "a test")
+                exr.read_exr(tmp_path / name, "a test")
             except FormatError as error:
                 refused.append(str(error))
             os.write(2, b"said\n")

@@ -146,7 +146,7 @@ def test_obj_indices_of_every_kind(tmp_path: Path) -> None:
 
 def test_ply_comes_back_as_it_was_written(tmp_path: Path) -> None:
     mesh = sphere(8).with_attribute("tau", np.linspace(0, 1, len(sphere(8).positions)))
-    back = read_mesh(_ply.write(tmp_path / "a.ply", mesh, ("a remark",)))
+    back = read_mesh(_ply.write_ply(tmp_path / "a.ply", mesh, ("a remark",)))
     for name in ("positions", "normals", "uv"):
         np.testing.assert_allclose(getattr(back, name), getattr(mesh, name), atol=1e-7)
     np.testing.assert_array_equal(back.triangles, mesh.triangles)

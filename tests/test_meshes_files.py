@@ -115,12 +115,12 @@ def test_coordinates_far_away_keep_their_digits(tmp_path: Path) -> None:
             lines = [f"v {x:.9f} {y:.9f} {z:.9f}" for x, y, z in far.positions]
             written(tmp_path / name, [*lines, *(f"f {a + 1} {b + 1} {c + 1}" for a, b, c in far.triangles)])
         else:
-            _ply.write(tmp_path / name, far)
+            _ply.write_ply(tmp_path / name, far)
             assert b"property double x" in (tmp_path / name).read_bytes()[:400]
         mesh = read_mesh(tmp_path / name)
         assert volume(Mesh(mesh.positions - UTM, mesh.triangles)) == pytest.approx(volume(sphere(16)), rel=1e-6)
         assert not any("single precision" in note for note in mesh.notes)
-    _ply.write(tmp_path / "near.ply", sphere(16))
+    _ply.write_ply(tmp_path / "near.ply", sphere(16))
     assert b"property float x" in (tmp_path / "near.ply").read_bytes()[:400]
     binary = (
         b"ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
@@ -169,9 +169,9 @@ def test_faces_that_look_inwards_are_said_and_turned(tmp_path: Path) -> None:
 def test_normals_of_the_file_count_where_it_has_them(tmp_path: Path) -> None:
     ball = sphere(12)
     inwards = turned(ball, np.ones(len(ball.triangles), bool))
-    out = _ply.write(tmp_path / "a.ply", Mesh(ball.positions, inwards.triangles, ball.normals))
+    out = _ply.write_ply(tmp_path / "a.ply", Mesh(ball.positions, inwards.triangles, ball.normals))
     assert not read_mesh(out).notes  # dust goes by the normals, and they look outwards
-    inside = _ply.write(tmp_path / "b.ply", Mesh(ball.positions, inwards.triangles, -ball.normals))
+    inside = _ply.write_ply(tmp_path / "b.ply", Mesh(ball.positions, inwards.triangles, -ball.normals))
     assert "its normals point inwards" in " ".join(read_mesh(inside).notes)
     mended = read_mesh(inside, outwards=True)
     used = np.unique(mended.triangles)
@@ -346,7 +346,7 @@ def test_without_the_package_the_command_is_named(tmp_path: Path, monkeypatch: p
 def files(folder: Path) -> dict[str, bytes]:
     trimesh = pytest.importorskip("trimesh")
     ball = sphere(4)
-    _ply.write(folder / "b.ply", ball.with_attribute("tau", ball.positions[:, 0]))
+    _ply.write_ply(folder / "b.ply", ball.with_attribute("tau", ball.positions[:, 0]))
     other = trimesh.Trimesh(ball.positions, ball.triangles, process=False)
     (folder / "a.ply").write_text(other.export(file_type="ply", encoding="ascii").decode())
     as_obj(folder / "a.obj", ball)

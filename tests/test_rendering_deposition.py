@@ -366,9 +366,9 @@ print(*bake(plane(2), 4, rays=4).deposit.share.round(6).tolist())
 
 
 def test_a_mesh_with_dust_comes_back_from_its_file(tmp_path: Path) -> None:
-    from motes.meshes.ply import write
+    from motes.meshes.ply import write_ply
 
     pot = teapot(4)
     tau = deposit(pot, rays=16).tau(0.3)
-    back = read_mesh(write(tmp_path / "dusty.ply", pot.with_attribute("tau", tau)))
+    back = read_mesh(write_ply(tmp_path / "dusty.ply", pot.with_attribute("tau", tau)))
     np.testing.assert_allclose(back.attributes["tau"], tau, atol=1e-7)

@@ -87,7 +87,7 @@ def dust(
     from motes.cli import console, paths
     from motes.cli.options import numbers
     from motes.errors import MotesError
-    from motes.meshes.ply import write
+    from motes.meshes.ply import write_ply
     from motes.meshes.subdivision import refine as refined
     from motes.rendering.baking import SUFFIXES, bake, write_texture
     from motes.rendering.deposition import GROWTH_PER_DAY, deposit, open_tau, settled_options
@@ -127,7 +127,7 @@ def dust(
             told = f"tau of dust after {days:g} days, {level:.6g} where level and open; made by motes dust"
             dusty = shape.with_attribute("tau", tau)
             # Mitsuba's own reader takes numbers whose names end so; it calls the attribute vertex_tau.
-            write(file, dusty.with_attribute("tau_0", tau), (told,))
+            write_ply(file, dusty.with_attribute("tau_0", tau), (told,))
         else:
             baked = bake(shape, texture_size, progress=step, **arguments)
             picture = baked.texture(level)

@@ -79,7 +79,7 @@ class Picture(NamedTuple):
     chromaticities: tuple[float, ...] | None
 
 
-def read(path: Path, purpose: str, layer: str | None = None) -> Picture:
+def read_exr(path: Path, purpose: str, layer: str | None = None) -> Picture:
     """The colours, or the grey, of a picture.
 
     Parameters
@@ -130,7 +130,7 @@ def read(path: Path, purpose: str, layer: str | None = None) -> Picture:
 
 def rgb(path: Path, purpose: str) -> NDArray[np.float32]:
     """R, G and B (height, width, 3); a grey channel Y serves for all three."""
-    values = read(path, purpose).values
+    values = read_exr(path, purpose).values
     return values if values.shape[-1] == 3 else np.repeat(values, 3, axis=-1)
 
 

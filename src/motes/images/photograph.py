@@ -177,7 +177,7 @@ def read_mask(path: Path, purpose: str = "Reading a mask") -> Floats:
 
 
 def _exr(path: Path, stated: Transfer | None, layer: str | None, purpose: str) -> Photograph:
-    found = exr.read(path, purpose, layer)
+    found = exr.read_exr(path, purpose, layer)
     primaries = found.chromaticities
     if primaries is not None and transfer_functions.same_primaries(primaries, transfer_functions.SRGB):
         primaries = None

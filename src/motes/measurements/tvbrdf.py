@@ -75,7 +75,7 @@ def read_tvbrdf(
     """
     folder = _choose(path, sample)
     files = _scan_files(folder) if folder.is_dir() else {(1, 1): folder}
-    info = _Info.read(folder)
+    info = _Info.of(folder)
     notes = []
     n_found = len({scan for scan, _ in files})
     reading.require(
@@ -161,7 +161,7 @@ class _Info:
     source: str = ""
 
     @classmethod
-    def read(cls, folder: Path) -> _Info:
+    def of(cls, folder: Path) -> _Info:
         file = (
             next((f for f in sorted(folder.iterdir()) if f.name.lower() == INFO.lower()), None)
             if folder.is_dir()

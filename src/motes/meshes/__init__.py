@@ -2,6 +2,6 @@
 
 from motes.meshes.mesh import Mesh
 from motes.meshes.meshfile import read_mesh
-from motes.meshes.ply import write as write_ply
+from motes.meshes.ply import write_ply
 
 __all__ = ["Mesh", "read_mesh", "write_ply"]

@@ -19,8 +19,8 @@ from motes.meshes import by_trimesh, obj, ply, winding
 from motes.meshes.mesh import Mesh, cross_products, with_normals
 
 READERS: dict[str, Callable[[Path], Mesh]] = {
-    ".ply": ply.read,
-    ".obj": obj.read,
+    ".ply": ply.read_ply,
+    ".obj": obj.read_obj,
     ".stl": by_trimesh.read_stl,
     ".glb": by_trimesh.read_gltf,
     ".gltf": by_trimesh.read_gltf,

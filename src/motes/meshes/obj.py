@@ -20,7 +20,7 @@ _SIZES = {"v": 3, "vt": 2, "vn": 3}
 _MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
 
 
-def read(path: Path) -> Mesh:
+def read_obj(path: Path) -> Mesh:
     """The mesh as it stands in the file, polygons as fans of triangles; raises `FormatError` with the line that is wrong."""
     data = path.read_bytes()
     encoding = next((name for mark, name in _MARKS if data.startswith(mark)), "utf-8")

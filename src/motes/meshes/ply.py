@@ -45,7 +45,7 @@ class Element(NamedTuple):
         return sum(int(t[-1]) for t in types)
 
 
-def read(path: Path) -> Mesh:
+def read_ply(path: Path) -> Mesh:
     """The mesh as it stands in the file; raises `FormatError` for anything that does not hold together."""
     data = path.read_bytes()
     end = re.search(rb"end_header[ \t]*\r?\n", data[:HEADER])
@@ -266,7 +266,7 @@ def _binary_lists(path: Path, body: bytes, element: Element, order: str, at: int
     return _as_triangles(path, polygons), at
 
 
-def write(path: str | os.PathLike[str], mesh: Mesh, comments: tuple[str, ...] = ()) -> Path:
+def write_ply(path: str | os.PathLike[str], mesh: Mesh, comments: tuple[str, ...] = ()) -> Path:
     """Write a mesh as binary little-endian PLY, whole or not at all.
 
     Numbers are float32; positions are doubles where float32 would lose digits that matter, far from the origin.
