@@ -209,7 +209,7 @@ def read(
         That of a scale that all samples share, such as the calibration's, relative.
     **options
         Of the reader: ``irradiance`` (tvbrdf), ``resolution`` (rgl); ``columns``, ``sheet``, ``angles``, ``azimuth`` and more of tables
-        (see ``docs/data.md``).
+        (see ``docs/data.md``); those of the formats of measuring rooms are in ``docs/formats.md``.
 
     Returns
     -------
