@@ -286,3 +286,28 @@ def test_a_simulation_says_that_it_is_one(motes: Any) -> None:
 def test_sources_name_a_layout_and_not_who_measured() -> None:
     for reader in READERS.values():
         assert not reader.source.startswith(("Gu ", "Gu,", "Sun,", "Matusik", "Dana", "Dupuy"))
+
+
+# ---------------------------------------------------------------- 45: thousands of channels
+
+
+def test_many_channels_are_read_and_saved_in_little_room(tmp_path: Path) -> None:
+    """As many bands as a field spectrometer has, read; some of them fitted and saved."""
+    angles = goniometer((35,), range(5, 76, 5), (0, 90, 180, 270))
+    bands = np.arange(350, 2501)
+    K_d = 0.2 + 0.3 * np.exp(-(((bands - 800) / 400.0) ** 2))
+    shape = evaluated(motes.OrenNayar(K_d=1.0, sigma_d=0.35), angles)
+    noise = 1 + 0.01 * np.random.default_rng(1).standard_normal((len(angles), len(bands)))
+    header = HEADER[:-5] + ",".join(map(str, bands))
+    data = motes.read(write(tmp_path / "hyper.csv", header, np.hstack([angles, shape * K_d * noise])))
+    assert isinstance(data, Measurement)
+    assert data.wavelengths is not None
+    np.testing.assert_array_equal(data.wavelengths, bands)
+    assert len(data.provenance["columns"]) == 5
+    some = Measurement.from_arrays(data.wi, data.wo, data.values[0, :, ::10], wavelengths=bands[::10])
+    fit = motes.fit(some, model="lambert")
+    fit.save(tmp_path)
+    saved = json.loads((tmp_path / "fit.json").read_text())
+    assert saved["correlations"] is None
+    assert len(saved["strongest_correlations"]) <= 1000
+    assert (tmp_path / "fit.json").stat().st_size < 1e6

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 
 def finite(x: Any) -> Any:
@@ -31,3 +33,18 @@ def with_error(value: float, stderr: float) -> tuple[str, str]:
     if places > 8 or abs(value) >= 1e6:
         return f"{value:.6g}", f"{stderr:.2g}"
     return f"{value:.{places}f}", f"{stderr:.{places}f}"
+
+
+# Of more parameters than these, JSON holds the strongest correlations and not all: 2,151 channels have two million.
+MOST_CORRELATED, STRONGEST = 100, 1000
+
+
+def correlations_as_json(labels: Sequence[str], matrix: NDArray[np.float64]) -> dict[str, Any]:
+    """The matrix (P, P) of a few parameters; of many None, and the strongest pairs as ``[label, label, correlation]``."""
+    if len(labels) <= MOST_CORRELATED:
+        return {"correlations": finite(matrix)}
+    i, j = np.triu_indices(len(labels), 1)
+    strength = np.nan_to_num(np.abs(matrix[i, j]))
+    order = np.argsort(-strength, kind="stable")[:STRONGEST]
+    pairs = [[labels[i[k]], labels[j[k]], round(float(matrix[i[k], j[k]]), 6)] for k in order if strength[k] > 0]
+    return {"correlations": None, "strongest_correlations": pairs}

@@ -17,7 +17,7 @@ from motes import outlets
 from motes.arrays import Array
 from motes.errors import MotesError
 from motes.files import replacing, write_text
-from motes.fitting.formatting import finite, with_error
+from motes.fitting.formatting import correlations_as_json, finite, with_error
 from motes.fitting.verdicts import Status, Verdict
 from motes.material import Material
 from motes.measurements import Measurement
@@ -223,7 +223,7 @@ class Fit(Result):
                 for p in self.parameters.values()
             },
             "labels": list(self.labels),
-            "correlations": finite(self.correlations),
+            **correlations_as_json(self.labels, self.correlations),
             "n_starts": self.n_starts,
         }
 
