@@ -311,3 +311,14 @@ def test_many_channels_are_read_and_saved_in_little_room(tmp_path: Path) -> None
     assert saved["correlations"] is None
     assert len(saved["strongest_correlations"]) <= 1000
     assert (tmp_path / "fit.json").stat().st_size < 1e6
+
+
+def test_a_folder_of_results_is_not_taken_over_without_a_word(motes: Any, tmp_path: Path) -> None:
+    angles = goniometer((15, 45), range(5, 70, 10), (0, 90, 180))
+    for folder in ("a", "b"):
+        (tmp_path / folder).mkdir()
+        write(tmp_path / folder / "scan.csv", HEADER, np.hstack([angles, evaluated(TRUTH, angles, 0.02)]))
+    options = ("-m", "lambert", "--no-report", "--quiet")
+    assert "held" not in motes("fit", "a/scan.csv", *options)[2]
+    assert "held" not in motes("fit", "a/scan.csv", *options)[2]
+    assert "motes-scan/ held the fit of a/scan.csv" in motes("fit", "b/scan.csv", *options)[2]

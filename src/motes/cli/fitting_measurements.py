@@ -55,6 +55,7 @@ def fit_and_write(
     index, why = _which(measurement, time, kinds or {})
     if index is None:
         options = {**options, "trends": kinds or "auto"}
+    earlier = _other_data(folder, measurement)
     with paths.results(folder) as staging:
         with console.progress(common, "fitting") as step:
             result = fit(measurement, time=index, progress=step, **options)
@@ -68,6 +69,8 @@ def fit_and_write(
         names = sorted(file.name for file in staging.iterdir())
     for note in _about_times(measurement) if index is None else ():
         console.warn(note)
+    if earlier:
+        console.warn(f"{folder}/ held the fit of {earlier}, which this one has replaced; -o OTHER keeps both")
     if common.json:
         about: dict[str, Any] = {
             "truth": truth,
@@ -120,6 +123,20 @@ def _which(measurement: Measurement, time: int | None, kinds: dict[str, str]) ->
             f"none of the {measurement.mask.size} samples in {n} scans is usable: {reasons}", "motes info says more"
         )
     return None, ""
+
+
+def _other_data(folder: Path, measurement: Measurement) -> str:
+    """The data whose fit a folder holds, where they are others than these; empty otherwise."""
+    import json
+
+    try:
+        about = json.loads((folder / "fit.json").read_text(encoding="utf-8"))["measurement"]
+        path, sample = str(about["path"]), about.get("sample")
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        return ""
+    own = measurement.provenance
+    same = Path(path).resolve() == Path(str(own.get("path"))).resolve() and sample == own.get("sample")
+    return "" if same else path if sample is None else f"{path}, sample {sample}"
 
 
 def _about_times(measurement: Measurement) -> list[str]:
