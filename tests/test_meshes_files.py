@@ -332,6 +332,25 @@ def test_the_plain_one_of_them_is_read(tmp_path: Path) -> None:
     assert area(mesh) == pytest.approx(0.5)
 
 
+def test_gltf_keeps_its_normals_and_mirrors_faces(tmp_path: Path) -> None:
+    pytest.importorskip("trimesh")
+    slanted = np.float32([[0.6, 0, 0.8]] * 3).tobytes()
+    changes = {
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1}}]}],
+        "accessors": [PLAIN["accessors"][0] | {"bufferView": k} for k in range(2)],
+        "bufferViews": [{"buffer": 0, "byteOffset": 36 * k, "byteLength": 36} for k in range(2)],
+        "buffers": [{"byteLength": 72}],
+    }
+    plain = read_mesh(glb(tmp_path / "a.glb", TRIANGLE + slanted, **changes))
+    np.testing.assert_allclose(plain.normals, [[0.6, 0, 0.8]] * 3, atol=1e-7)
+    assert plain.notes == ()
+    mirror = {"nodes": [{"mesh": 0, "scale": [-2, 1, 1], "translation": [5, 0, 0]}]}
+    mirrored = read_mesh(glb(tmp_path / "a.glb", TRIANGLE + slanted, **changes, **mirror))
+    np.testing.assert_allclose(mirrored.normals, [np.array([-0.3, 0, 0.8]) / np.hypot(0.3, 0.8)] * 3, atol=1e-7)
+    a, b, c = mirrored.positions[mirrored.triangles[0]]
+    np.testing.assert_allclose(np.cross(b - a, c - a), [0, 0, 2])  # looks to the same side as before
+
+
 def test_without_the_package_the_command_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(__import__("sys").modules, "trimesh", None)
     for name in ("a.stl", "a.glb"):

@@ -1,7 +1,7 @@
 """STL and glTF (.glb, .gltf) by trimesh; what a glTF file claims is looked at before.
 
-glTF files are scenes: all meshes that the scene shows become one, where it puts them.  Materials and pictures are passed over.  Buffers of a ``.gltf``
-stand inside it or in files of its folder.
+glTF files are scenes: all meshes that the scene shows become one, where it puts them.  Materials, pictures and texture coordinates are passed over.
+Buffers of a ``.gltf`` stand inside it or in files of its folder.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from motes.errors import FormatError, MissingExtraError, MotesError
 from motes.files import budget
@@ -81,7 +82,11 @@ def read_gltf(path: Path) -> Mesh:
                 skip_materials=True,
                 merge_primitives=False,
             )
-        parts = [part for part in scene.dump() if hasattr(part, "faces") and len(part.faces)]
+        parts = []
+        for node in scene.graph.nodes_geometry:
+            transform, name = scene.graph[node]
+            if len(getattr(scene.geometry[name], "faces", ())):
+                parts.append(_placed(scene.geometry[name], np.asarray(transform, np.float64)))
         return _together(path, parts)
     except MotesError:
         raise
@@ -89,19 +94,28 @@ def read_gltf(path: Path) -> Mesh:
         raise _damaged(path, error) from None
 
 
-def _together(path: Path, parts: list[Any]) -> Mesh:
+def _placed(part: Any, transform: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.int64], Any]:
+    """Positions, faces and normals (None where the file has none) of a mesh at its node; a mirror turns its faces."""
+    turn = transform[:3, :3]
+    faces = np.asarray(part.faces, np.int64)
+    mirrored = np.linalg.det(turn) < 0
+    # The library computes normals of its own where one asks for them; those of the file are what it holds without asking.
+    given = part._cache.cache.get("vertex_normals")
+    with np.errstate(all="ignore"):  # a flat transform has no inverse: its normals are computed anew
+        normals = None if given is None else np.asarray(given, np.float64) @ np.linalg.pinv(turn)
+    positions = np.asarray(part.vertices, np.float64) @ turn.T + transform[:3, 3]
+    return positions, faces[:, ::-1] if mirrored else faces, normals
+
+
+def _together(path: Path, parts: list[tuple[NDArray[np.float64], NDArray[np.int64], Any]]) -> Mesh:
     if not parts:
         raise FormatError(f"{path} shows no triangles", "Export the mesh with its faces, in the scene")
-    shifts = np.cumsum([0, *(len(part.vertices) for part in parts)])
-    normals = [part.vertex_normals if "vertex_normals" in part._cache.cache else None for part in parts]
-    uv = [getattr(part.visual, "uv", None) for part in parts]
+    shifts = np.cumsum([0, *(len(positions) for positions, _, _ in parts)])
+    normals = [own for _, _, own in parts]
     return Mesh(
-        np.concatenate([np.asarray(part.vertices, np.float64) for part in parts]),
-        np.concatenate([np.asarray(p.faces, np.int64) + s for p, s in zip(parts, shifts, strict=False)]).astype(
-            np.int32
-        ),
-        np.concatenate([np.asarray(n, np.float64) for n in normals]) if all(n is not None for n in normals) else None,
-        np.concatenate([np.asarray(t, np.float64)[:, :2] for t in uv]) if all(t is not None for t in uv) else None,
+        np.concatenate([positions for positions, _, _ in parts]),
+        np.concatenate([faces + shift for (_, faces, _), shift in zip(parts, shifts, strict=False)]).astype(np.int32),
+        None if any(own is None for own in normals) else np.concatenate(normals),
         name=path.stem,
     )
 
