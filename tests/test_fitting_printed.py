@@ -9,11 +9,12 @@ from motes.arrays import NUMPY
 from motes.fitting import covariance, levenberg
 from motes.fitting.algebra import ARRAYS
 from motes.fitting.columns import Columns
+from motes.fitting.covariance import LEAST_REMAINDER
 from motes.fitting.losses import LOSSES, ROBUST
 from motes.fitting.printed import module, normal
 from motes.fitting.printed.formulas import Formulas, packed, triangle_of
 from motes.fitting.printed.moments import moments
-from motes.fitting.printed.traced import LEAST_REST, Traced
+from motes.fitting.printed.traced import Traced
 from motes.graph import separation, tracing
 from motes.graph.tracing import DIRECTIONS, PARAMETERS
 from motes.models import parse
@@ -115,7 +116,7 @@ def test_the_forms_are_the_normal_equations(
         inverse = np.array([[by_name[f"leverage[{packed(i, j)}]"] for j in range(size)] for i in range(size)]) * 0.02
         numbers |= {leaf: 0.02 * numbers[leaf] for leaf in model.leverage}
         leverage = np.einsum("cpn,pq,cqn->cn", rows, inverse, rows) * rho.bend(z)
-        middle = np.einsum("cpn,cn,cqn->pq", rows, (psi / np.maximum(1 - leverage, LEAST_REST)) ** 2, rows)
+        middle = np.einsum("cpn,cn,cqn->pq", rows, (psi / np.maximum(1 - leverage, LEAST_REMAINDER)) ** 2, rows)
 
         fit = normal.direct(model) if by_channel else moments(model)
         assert fit is not None

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from motes import workers
 from motes.fitting.columns import Columns, columns_of
+from motes.fitting.covariance import LEAST_REMAINDER
 from motes.fitting.losses import Floats, Loss, Robust
 from motes.fitting.solver import Normal, Solution, minimize
 from motes.kernels.numpy import FitFunction, residual_function
@@ -263,7 +264,7 @@ class Problem:
         blocks = inverse[index[:, :, None], index[:, None, :]]  # (C, K, K)
         leverage = np.einsum("cnk,ckl,cnl->cn", jacobian[0], blocks, jacobian[0])
         leverage *= np.moveaxis(self.robust.bend(z), 2, 1)[0]
-        scaled = jacobian[0] * (psi / np.maximum(1 - leverage, 0.05))[..., None]
+        scaled = jacobian[0] * (psi / np.maximum(1 - leverage, LEAST_REMAINDER))[..., None]
         return np.asarray(self._matrix((np.swapaxes(scaled, 1, 2) @ scaled)[None])[0])
 
     def _linearised(self, x: Floats, rows: slice, sets: NDArray[np.intp] | None) -> tuple[Floats, Floats]:

@@ -48,7 +48,20 @@ def any_of(rows):
 
 
 @part
-def closing(x, room, own, box, columns, row, basis, times, samples, data, roughly, whole):
+def column_of(matrix, k, column):
+    for i in range(SIZE):
+        at = i * (i + 1) // 2 + k if k <= i else k * (k + 1) // 2 + i
+        for n in range(LANES):
+            store(D, column, i * LANES + n, load(D, matrix, at * LANES + n, "other", 1), "plain", 0, 1)
+
+
+@part
+def inverse_of(curvature, among, blurred, inverse, now_blurred):
+    inverse_at(curvature, among, blurred, inverse, now_blurred)
+
+
+@part
+def closing(x, room, own, box, columns, row, basis, times, samples, data, roughly):
     parameters, slopes, constants, wide = room + AT_PARAMETERS, room + AT_SLOPES, room + AT_CONSTANTS, room + AT_WIDE
     normal, curved, leverage, middle = room + AT_NORMAL, room + AT_CURVED, room + AT_LEVERAGE, room + AT_MIDDLE
     stand, among, blurred, now_blurred = room + AT_STAND, room + AT_AMONG, room + AT_BLURRED, room + AT_NOW_BLURRED
@@ -68,7 +81,7 @@ def closing(x, room, own, box, columns, row, basis, times, samples, data, roughl
     clear(blurred, SIZE + 1)
     for again in range(2):  # what is only seen in sums is left out the second time
         among_at(free, blurred, loose, among)
-        inverse_at(curvature, among, blurred, inverse, now_blurred)
+        inverse_of(curvature, among, blurred, inverse, now_blurred)
         blurred, now_blurred = now_blurred, blurred
         if not any_of(blurred + 8 * LANES * SIZE):
             break
@@ -77,19 +90,19 @@ def closing(x, room, own, box, columns, row, basis, times, samples, data, roughl
     for t in range(times):
         {middle}
     polished(x, x + 8 * LANES * (SIZE + ROWS + ENDING), gradient, inverse, among, box, point)
-    if whole:
-        sandwich_at(inverse, spread, covariance)
-    else:
-        variances_at(inverse, spread, covariance)
+    for k in range(SIZE):
+        column_of(inverse, k, column)
+        row_at(column, inverse, spread, unit)
+        for n in range((k + 1) * LANES):
+            store(D, covariance, k * (k + 1) // 2 * LANES + n, load(D, unit, n, "other", 1), "plain", 0, 1)
     noise_at(curvature, spread, among, noise)
     wide_inverse, wider_blurred, some = inverse, blurred, False
     for k in range(SIZE):
         if not (any_of(stand + 8 * LANES * k) or any_of(stand + 8 * LANES * (SIZE + k))):
             continue
+        column_of(curvature, k, column)
         for i in range(SIZE):
             for n in range(LANES):
-                at = i * (i + 1) // 2 + k if k <= i else k * (k + 1) // 2 + i
-                store(D, column, i * LANES + n, load(D, curvature, at * LANES + n, "other", 1), "plain", 0, 1)
                 store(D, unit, i * LANES + n, D(1.0) if i == k else D(0.0), "plain", 0, 1)
         push_at(unit, gradient, column, inverse, spread, among, loose + 8 * LANES * SIZE)
         for n in range(LANES):
@@ -100,7 +113,7 @@ def closing(x, room, own, box, columns, row, basis, times, samples, data, roughl
     if some or any_of(blurred + 8 * LANES * SIZE):
         among_at(free, blurred, loose, among)
         clear(now_blurred, SIZE)
-        inverse_at(curvature, among, now_blurred, wider, room + AT_WIDER_BLURRED)
+        inverse_of(curvature, among, now_blurred, wider, room + AT_WIDER_BLURRED)
         wide_inverse, wider_blurred = wider, room + AT_WIDER_BLURRED
     errors_at(point, stand, covariance, wide_inverse, noise, loose, blurred, wider_blurred, box, found)
 """
@@ -215,7 +228,7 @@ def fit(
                 normal_equations(trial, room, own, columns, row, basis, times, samples, data, fresh)
                 rested(state, trial, fresh, next_state)
                 state, next_state = next_state, state
-        closing(state, room, own, box, columns, row, basis, times, samples, data, close == 2, covariances != 0)
+        closing(state, room, own, box, columns, row, basis, times, samples, data, close == 2)
         middle, results, noise_here = room + AT_MIDDLE, room + AT_FOUND, room + AT_NOISE
         for n in range(count):
             texel = first + n

@@ -8,7 +8,7 @@ from motes.fitting import covariance, second_look
 from motes.fitting.algebra import absolute
 from motes.fitting.columns import Columns
 from motes.fitting.losses import Floats
-from motes.fitting.printed.formulas import Formula, Formulas, packed, triangle_of
+from motes.fitting.printed.formulas import Formula, Formulas, triangle_of
 from motes.fitting.printed.rows import Rows, Target, Uniform, lane_function
 
 #: What all texels share, in the order of the box: vectors of the columns, and numbers.
@@ -104,21 +104,14 @@ class _Printed:
             ],
         )
 
-    def sandwich(self) -> list[str]:
-        """``sandwich_at``: inverse middle inverse; ``variances_at``: its diagonal only."""
+    def row(self) -> str:
+        """``row_at``: a row of inverse middle inverse, from a column of the inverse."""
         algebra = Formulas()
         inverse, middle = algebra.matrix("inverse", self.size), algebra.matrix("middle", self.size)
-        triangle = algebra.lifted(triangle_of(algebra.sandwich(inverse, middle)))
-        own = {packed(k, k) for k in range(self.size)}
-        given = self.rows(inverse=inverse, middle=middle)
-        return [
-            lane_function("sandwich_at", given, [Target("covariance", "D", triangle)]),
-            lane_function(
-                "variances_at",
-                given,
-                [Target("covariance", "D", [t if k in own else None for k, t in enumerate(triangle)])],
-            ),
-        ]
+        column = algebra.vector("column", self.size)
+        result = algebra.times(inverse, algebra.times(middle, column))
+        given = self.rows(column=column, inverse=inverse, middle=middle)
+        return lane_function("row_at", given, [Target("result", "D", algebra.lifted(result))])
 
     def noise(self) -> str:
         """``noise_at``: the variance of a residual."""
@@ -176,7 +169,7 @@ def verdict_functions(signed: Floats, squared: Floats, robust: bool) -> list[str
         printed.rest(),
         printed.among(),
         printed.inverse(),
-        *printed.sandwich(),
+        printed.row(),
         printed.noise(),
         printed.push(),
         printed.errors(),

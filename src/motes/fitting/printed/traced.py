@@ -9,14 +9,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from motes.fitting.covariance import LEAST_REMAINDER
 from motes.fitting.losses import Loss, Robust
 from motes.fitting.printed.formulas import packed
 from motes.graph import separation, tracing
 from motes.graph.tracing import DIRECTIONS, PARAMETERS, Graph, Symbol
 
 DATA, SUMS = 4, 8  # more bits for `tracing.dependence`
-# As `motes.fitting.problem.Problem` has it: what a leverage leaves of a residual is taken for at least so much.
-LEAST_REST = 0.05
 
 
 @dataclass(frozen=True)
@@ -225,7 +224,7 @@ class Traced:
             if self.is_robust:
                 leverage = leverage * graph.lift(self.robust.bent(graph, z))
                 r = r * graph.lift(self.robust.sloped(graph, z))
-            scaled = r / graph.maximum(1.0 - leverage, LEAST_REST)
+            scaled = r / graph.maximum(1.0 - leverage, LEAST_REMAINDER)
             weights.append(scaled * scaled)
         return self.products(jacobian, weights)
 
