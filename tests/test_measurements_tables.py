@@ -11,9 +11,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from motes.directions import from_spherical
 from motes.errors import FormatError, MotesError
 from motes.measurements import Measurement, read
 from motes.measurements._column_names import column
+from motes.measurements.table_writing import write_table
 
 TABLES: list[dict[str, Any]] = json.loads(Path(__file__).with_name("tables.json").read_text(encoding="utf-8"))["tables"]
 HEADER = "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg,"
@@ -301,3 +303,31 @@ def test_the_names_of_the_page_are_known() -> None:
     assert len(names) > 70
     for name in names:
         assert column(name if name != "t" else "t (h)") is not None, name
+
+
+def test_a_measurement_is_written_and_read_back(tmp_path: Path) -> None:
+    rng = np.random.default_rng(4)
+    wi, wo = (from_spherical(rng.uniform(0, 1.4, 7), rng.uniform(-3, 3, 7)) for _ in range(2))
+    values = rng.uniform(0.1, 0.5, (3, 7, 2))
+    values[1, 3, 0] = np.nan
+    for channels, wavelengths in ((("clear coat", "base"), None), (None, [450.5, 630.0])):
+        data = Measurement.from_arrays(
+            wi,
+            wo,
+            values,
+            times=[0, 1.5, 3],
+            channels=channels,
+            wavelengths=wavelengths,
+            weights=rng.uniform(1, 2, 7),
+            uncertainties=0.01 * np.nan_to_num(values, nan=1.0),
+            common_uncertainty=0.02,
+        )
+        again = measured(write_table(data, tmp_path / "t.csv"), common_uncertainty=0.02)
+        assert (again.channels, again.common_uncertainty) == (data.channels, 0.02)
+        np.testing.assert_array_equal(again.times, data.times)
+        np.testing.assert_array_equal(again.mask, data.mask)
+        np.testing.assert_array_equal(again.values[again.mask], data.values[data.mask])
+        np.testing.assert_allclose(again.uncertainties[again.mask], data.uncertainties[data.mask], rtol=1e-12)
+        np.testing.assert_array_equal(again.weights, data.weights)
+        for name in ("wi", "wo"):
+            np.testing.assert_allclose(getattr(again, name), getattr(data, name), atol=1e-12)
