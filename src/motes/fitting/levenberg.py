@@ -156,7 +156,7 @@ def proposal(
     nothing = flag(algebra, algebra.less(promised, 1e-13 * objective + 1e-6 * noise))
     away = algebra.largest(absolute(algebra, delta) / (absolute(algebra, x) + SMALL_STEP))
     small = flag(algebra, algebra.less(away, SMALL_STEP + 0.0 * away))
-    converged = flag(algebra, algebra.less(promised, reduction * objective + 1e-3 * noise + 1e-300))
+    converged = flag(algebra, algebra.less(promised, reduction * objective + 1e-2 * noise + 1e-300))
     zero = 0.0 * objective
     ending = zero
     for code, condition in (  # the first that holds wins
