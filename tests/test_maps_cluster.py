@@ -8,7 +8,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +16,7 @@ import pytest
 
 pytest.importorskip("zarr")
 pytest.importorskip("distributed")
+pytest.importorskip("cryptography")
 
 import distributed
 
@@ -115,6 +116,27 @@ def test_two_processes_and_one_killed_give_the_bits_of_one(
     assert most <= 2 * cluster.MOST_IN_FLIGHT + 1
     assert out.failures == ()
     assert support.contents(out.path) == support.contents(alone)
+
+
+def test_only_this_run_reaches_the_scheduler_that_it_starts() -> None:
+    """Whoever reaches a scheduler runs functions on its workers; its port is open to every user of the machine."""
+    from distributed.security import Security
+
+    with ExitStack() as stack:
+        stack.enter_context(cluster._quiet())
+        client = cluster._client(stack, None, 1)
+        assert client.submit(os.getpid).result(SECONDS) != os.getpid()
+        address = client.scheduler.address
+        (worker,) = client.scheduler_info()["workers"]
+        for served in (address, worker):
+            _, _, port = served.partition("://127.0.0.1:")
+            strangers: list[dict[str, Any]] = [
+                {"address": f"tcp://127.0.0.1:{port}"},
+                {"address": f"tls://127.0.0.1:{port}", "security": Security.temporary()},
+            ]
+            for stranger in strangers:
+                with pytest.raises(OSError, match=r"(?i)timed out|timeout|tls|handshake|reset|closed"):
+                    distributed.Client(**stranger, timeout=2, set_as_default=False)
 
 
 def test_workers_of_a_scheduler_and_a_scheduler_that_dies(paint: Path, alone: Path, tmp_path: Path) -> None:

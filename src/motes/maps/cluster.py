@@ -133,6 +133,13 @@ def _client(stack: ExitStack, scheduler: str | None, workers: int | None) -> Any
                 "Start one: dask scheduler --host 127.0.0.1 --port 8786; its address is tcp://127.0.0.1:8786",
             ) from None
         return _entered(stack, client)
+    from distributed.security import Security
+
+    try:
+        # A key of this run alone, in memory: without it anybody on this machine could send functions to the port.
+        security = Security.temporary()
+    except ImportError:
+        raise MissingExtraError("cryptography", "scale", "Work on several processes") from None
     # One thread a process: the kernels' own threads, and those of Zarr's codecs, would share the cores a second time.
     environment = {"NUMBA_NUM_THREADS": "1", "ZARR_THREADING__MAX_WORKERS": "1"}
     try:
@@ -141,6 +148,7 @@ def _client(stack: ExitStack, scheduler: str | None, workers: int | None) -> Any
             threads_per_worker=1,
             processes=True,
             host="127.0.0.1",
+            security=security,
             dashboard_address="127.0.0.1:0",  # any free port; a taken one would be a warning
             silence_logs=logging.CRITICAL,
             env=environment,
