@@ -18,7 +18,7 @@ import maps_support as support
 from motes import maps
 from motes.errors import MotesError
 from motes.maps import making
-from motes.maps.fitted import create_fitted
+from motes.maps.beginning import create_fitted
 from motes.maps.plan import Plan
 
 MODEL = "lambert"

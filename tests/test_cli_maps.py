@@ -140,14 +140,23 @@ def test_bad_input_is_explained_and_leaves_nothing(motes: Run, paint: Path) -> N
     refused(motes("fit", "nothing.zarr"), "does not exist")
     Path("empty.zarr").mkdir()
     refused(motes("fit", "empty.zarr"), "not a Zarr group")
-    for option in (("--robust", "huber"), ("--time", 0), ("--sample", 1), ("--read", "format=csv")):
-        refused(motes("fit", paint, *option), f"{option[0]} is not offered for maps")
-    refused(motes("fit", paint, "--trend", "K_d=linear"), "without a model")
+    refused(motes("fit", paint, "--sample", 1), "--sample 1 chooses one sample", "--time chooses one time")
+    refused(motes("fit", paint, "--read", "times=0,1,2,3"), "--read times=0,1,2,3", "the store's array time")
+    refused(motes("fit", paint, "--read", "angles=deg"), "--read angles=deg", "docs/maps.md")
+    refused(motes("fit", paint, "--time", 4), "--time 4 is not among the 4 time(s)", "0 to 3")
+    refused(motes("fit", paint, "--time", 0, "--trend", "K_d=linear"), "one time has no trend", "Leave --time out")
     refused(motes("fit", paint, "-m", "paint"), "not a model")
     refused(motes("fit", paint, "--workers", 0), "0 workers")
     refused(motes("fit", paint, "-o", "/proc/motes/out.zarr", "-m", "lambert"), "cannot be written")
     Path("table.csv").write_text("theta_i,theta_r,phi_r,grey\n0.1,0.2,0,0.3\n")
-    for option in (("--workers", 2), ("--scheduler", "tcp://a:1"), ("--block", 8), ("--exr", "x"), ("--restart",)):
+    for option in (
+        ("--workers", 2),
+        ("--scheduler", "tcp://a:1"),
+        ("--block", 8),
+        ("--exr", "x"),
+        ("--restart",),
+        ("--covariance",),
+    ):
         refused(motes("fit", "table.csv", *option), f"{option[0]} is for maps")
     assert sorted(p.name for p in Path().iterdir()) == ["empty.zarr", "table.csv"]
 

@@ -182,6 +182,9 @@ def test_an_interrupt_keeps_finished_blocks(
         ({"loss": "plain"}, "loss"),
         ({"fixed": {"K_s": 0.2}}, "fixed"),
         ({"max_theta": 1.0}, "max_theta"),
+        ({"robust": "huber"}, 'robust was "none" and is "huber"'),
+        ({"time": 1}, "time was null and is 1"),
+        ({"covariance": True}, "covariance"),
         ({"block": (16, 8)}, "block"),
         ({"per_channel": ["K_s"]}, "per_channel"),
     ],
@@ -299,7 +302,13 @@ def test_nothing_readable_and_nothing_measured(paint: Path, tmp_path: Path) -> N
         ({"per_channel": ["K_d", "w"]}, "no parameter 'w'"),
         ({"trends": {"K_d": "cyclic"}}, "is not one of"),
         ({"trends": {"w": "linear"}}, "no parameter 'w'"),
-        ({"model": "auto", "trends": {"K_d": "linear"}}, "without a model"),
+        ({"model": "auto", "trends": {"k_d": "linear"}}, "no model that auto tries has a parameter 'k_d'"),
+        ({"trends": "auto"}, "not chosen for maps"),
+        ({"trends": {"K_d": "linear"}, "time": 1}, "one time has no trend"),
+        ({"time": 3}, "outside 0..2"),
+        ({"robust": "bisquare"}, "is not one of"),
+        ({"weights": [1.0, 2.0]}, "do not fit the map's 28 directions"),
+        ({"model": "auto", "fixed": ["K_d"]}, "held without a value"),
         ({"weights": "heavy"}, "is not 'measurement' or 'uniform'"),
         ({"max_theta": 0.0}, "max_theta"),
         ({"max_theta": 0.001}, "none of the 28 directions"),
@@ -331,14 +340,18 @@ def test_damaged_fits_are_explained(fitted: maps.FittedMap, tmp_path: Path) -> N
 
 
 def test_the_model_may_be_chosen(paint: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(plans, "CANDIDATES", ("lambert", MODEL))
+    monkeypatch.setattr("motes.maps.choosing.CANDIDATES", ("lambert", MODEL))
     chosen = maps.fit_map(paint, "auto", out=tmp_path / "a.zarr")
     assert chosen.model == MODEL
-    assert chosen.plan.tried["lambert"] > 100 > chosen.plan.tried[MODEL] == 0
+    first, second = chosen.plan.tried
+    assert (first.model, second.model, first.chosen, second.chosen) == ("lambert", MODEL, False, True)
+    assert first.bic > second.bic + 100
+    assert second.relative_rms == pytest.approx(0.01, rel=0.1)
+    assert first.relative_rms > 5 * second.relative_rms
     assert chosen.quantities == ("K_d", "sigma_d", "K_s", "sigma_s")
-    assert chosen.summary()["tried"] == chosen.plan.tried
-    with pytest.raises(MotesError, match="no model that auto tries has a parameter 'tau'"):
-        maps.fit_map(paint, "auto", out=tmp_path / "b.zarr", fixed={"tau": 0.4})
+    assert [t["bic"] for t in chosen.summary()["tried"]] == [first.bic, second.bic]
+    with pytest.raises(MotesError, match="no model that auto tries has a parameter 'alpha'"):
+        maps.fit_map(paint, "auto", out=tmp_path / "b.zarr", fixed={"alpha": 0.4})
     with pytest.raises(MotesError, match="nothing to fit"):
         maps.fit_map(
             paint, "auto", out=tmp_path / "b.zarr", fixed=dict.fromkeys(("K_d", "K_s", "sigma_d", "sigma_s"), 0.4)
@@ -356,7 +369,7 @@ def test_directions_weights_and_starts_reach_the_solver(paint: Path, tmp_path: P
     direct = TexelSolver(MODEL, stack.wi[near], stack.wo[near], 3, loss="plain").fit(rows, out.plan.starts)
     np.testing.assert_array_equal(out.read_map("sigma_s")[2, 3], direct.x[:, 5])
     model = OrenNayar(K_d=(0.1, 0.2, 0.3), sigma_d=0.5) + TorranceSparrow(K_s=0.4, sigma_s=0.3)
-    given = plans.Plan.make(stack, plans.Settings.of(stack, model, "linear", None, (), (), "uniform", None), model)
+    given = plans.Plan.make(stack, plans.Settings.of(stack, model, weights="uniform"), model)
     np.testing.assert_allclose(given.starts[-1], [0.1, 0.2, 0.3, 0.5, 0.4, 0.3])
 
 

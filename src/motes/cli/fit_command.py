@@ -29,6 +29,7 @@ def fit(
     scheduler: str | None = None,
     block: MaybeWhole = None,
     exr: str | None = None,
+    covariance: Annotated[bool, Parameter(negative="")] = False,
     restart: Annotated[bool, Parameter(negative="")] = False,
     reading: Reading = Reading(),  # noqa: B008 (an immutable value)
     common: Common = Common(),  # noqa: B008
@@ -49,7 +50,7 @@ def fit(
     Parameters
     ----------
     data
-        A file or folder of measurements; the format is found from its content.
+        A file or folder of measurements, or a map (Zarr); the format is found from its content.
     model
         Such as "oren_nayar + torrance_sparrow"; values in brackets are held: "oren_nayar(sigma_d=0.3)". "auto" compares
         several by BIC.
@@ -82,6 +83,8 @@ def fit(
         Of a map: texels along a side of what is fitted and saved at a time; whole chunks of the store when not given.
     exr
         Of a map: a folder for polynomials of time as OpenEXR pictures (STAF layout).
+    covariance
+        Of a map: keep the covariance matrices of the fits besides.
     restart
         Of a map: throw away what an earlier run left in the output.
     """
@@ -108,21 +111,18 @@ def fit(
     if is_map(data):
         from motes.cli.fitting_maps import fit_map
 
-        refused = {
-            "--robust": robust != "none",
-            "--time": time is not None,
-            "--sample": reading.sample is not None,
-            "--read": bool(reading.read),
-        }
         return fit_map(
             data,
-            refused=[option for option, given in refused.items() if given],
+            reading=reading,
             output=output,
             report=report,
             exr=exr,
             common=common,
             model=model,
             loss=loss,
+            robust=robust,
+            time=time,
+            covariance=covariance,
             weights=weights,
             fixed=held,
             per_channel=per_channel,
@@ -133,7 +133,14 @@ def fit(
             block=None if block is None else (block, block),
             restart=restart,
         )
-    _only_for_maps(workers=workers, scheduler=scheduler, block=block, exr=exr, restart=restart or None)
+    _only_for_maps(
+        workers=workers,
+        scheduler=scheduler,
+        block=block,
+        exr=exr,
+        covariance=covariance or None,
+        restart=restart or None,
+    )
     from motes.cli.fitting_measurements import fit_and_write, load_measurement
 
     measurement = load_measurement(data, reading, common)

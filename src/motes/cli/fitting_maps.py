@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from motes.cli.options import Common
+from motes.cli.options import Common, Reading, time_of
 from motes.cli.statuses import DONE, NOT_CONVERGED
+from motes.errors import MotesError
 
 if TYPE_CHECKING:
     from motes.maps import FittedMap, MapStack
@@ -17,12 +17,19 @@ Row = tuple[str, str]
 SHOWN_FAILURES = 10
 # A map with more fits than this share stopped by the limit of iterations has not converged.
 MOST_UNCONVERGED = 0.5
+# Where a map says what --read says of other formats.
+_SAID_BY_A_MAP = {
+    "times": "Write them into the store's array time, with the attribute units; --time chooses one of them",
+    "format": "Leave it out; a folder whose name ends in .zarr, or that holds zarr.json, is a map",
+}
 
 
 def fit_map(
     data: str,
     *,
-    refused: Sequence[str],
+    reading: Reading,
+    time: int | None,
+    trends: dict[str, str] | None,
     output: str | None,
     report: bool,
     exr: str | None,
@@ -32,15 +39,14 @@ def fit_map(
     """Fit a map, write the page and the pictures, print what was found; returns the exit status."""
     from motes.cli import console, paths
     from motes.cli.printed_maps import show_fitted
-    from motes.errors import MotesError
     from motes.maps import export_exr, fit_map
     from motes.maps.fitted import open_fitted
     from motes.maps.stack import open_stack
 
-    if refused:
-        raise MotesError(f"{refused[0]} is not offered for maps", "Leave it out")
+    _check_reading(reading)
     paths.existing(data)
     stack = open_stack(data)
+    options |= {"time": time_of(time, len(stack.hours), trends or {}), "trends": trends}
     out = Path(output) if output is not None else Path(f"motes-{paths.slug(stack.name)}.zarr")
     if stack.reads_per_chunk > 1.5:
         console.warn(
@@ -76,10 +82,27 @@ def fit_map(
         )
         return NOT_CONVERGED
     fits = summary["fits"]
-    if fits["max_iterations"] > MOST_UNCONVERGED * max(fits["converged"] + fits["max_iterations"], 1):
-        console.warn(f"{fits['max_iterations']} fits did not converge; their numbers are not to be trusted")
+    # What wandered along a parameter that the data do not determine is said by its verdict.
+    short = fits["max_iterations"] - fitted.adrift()
+    if short > MOST_UNCONVERGED * max(fits["converged"] + fits["max_iterations"], 1):
+        console.warn(f"{short} fits did not converge; their numbers are not to be trusted")
         return NOT_CONVERGED
     return DONE
+
+
+def _check_reading(reading: Reading) -> None:
+    """Refuse what says how files are read: a map says all of it itself."""
+    if reading.sample is not None:
+        raise MotesError(
+            f"--sample {reading.sample} chooses one sample of a file that holds several, and a map is one sample",
+            "Leave it out to fit every texel; --time chooses one time",
+        )
+    if reading.read:
+        name = reading.read[0].partition("=")[0].strip()
+        hint = _SAID_BY_A_MAP.get(name, "Leave it out; what a map holds is in docs/maps.md")
+        raise MotesError(
+            f"--read {reading.read[0]} says how a reader takes a file, and a map in a Zarr store says it itself", hint
+        )
 
 
 def _errors(fitted: FittedMap, stack: MapStack) -> dict[str, dict[str, float | None]]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from motes.cli.options import Common, Reading
+from motes.cli.options import Common, Reading, time_of
 from motes.cli.statuses import DONE, NOT_CONVERGED
 
 if TYPE_CHECKING:
@@ -102,15 +102,9 @@ def _which(measurement: Measurement, time: int | None, kinds: dict[str, str]) ->
     from motes.errors import DataError
 
     n = measurement.n_times
-    if time is not None and not -n <= time < n:
-        raise DataError(f"--time {time} is not among the {n} time(s) of the data", f"Choose 0 to {n - 1}")
-    if kinds and (time is not None or n == 1):
-        raise DataError(
-            f"--trend {next(iter(kinds))}={next(iter(kinds.values()))} was given, and one time has no trend",
-            "Leave --time out" if n > 1 else "The data have one time; trends need several",
-        )
-    if time is not None:
-        return time % n, "fitted alone; without --time all are fitted, with trends" if n > 1 else ""
+    index = time_of(time, n, kinds)
+    if index is not None:
+        return index, "fitted alone; without --time all are fitted, with trends" if n > 1 else ""
     usable = np.flatnonzero(measurement.mask.any(axis=(1, 2)))
     if n > 1 and len(usable) == 1:
         return int(usable[0]), "the only scan with usable samples: fitted alone, since a trend needs two"

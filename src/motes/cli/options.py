@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated, Any
 
 from cyclopts import Parameter
 
-from motes.errors import MotesError
+from motes.errors import DataError, MotesError
 
 
 @Parameter(name="*")
@@ -76,6 +76,18 @@ Whole = Annotated[int, Parameter(converter=_whole)]
 
 #: The same, where none may be given.
 MaybeWhole = Annotated[int | None, Parameter(converter=_whole)]
+
+
+def time_of(time: int | None, count: int, kinds: Mapping[str, str]) -> int | None:
+    """What ``--time`` means of so many times, from 0; None for all of them.  `kinds` are those of ``--trend``, which needs several."""
+    if time is not None and not -count <= time < count:
+        raise DataError(f"--time {time} is not among the {count} time(s) of the data", f"Choose 0 to {count - 1}")
+    if kinds and (time is not None or count == 1):
+        raise DataError(
+            f"--trend {next(iter(kinds))}={next(iter(kinds.values()))} was given, and one time has no trend",
+            "Leave --time out" if count > 1 else "The data have one time; trends need several",
+        )
+    return None if time is None else time % count
 
 
 def assignments(texts: Sequence[str], option: str) -> dict[str, Any]:

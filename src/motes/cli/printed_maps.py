@@ -42,6 +42,7 @@ def show_fitted(
     from motes.maps.comparison import quartiles
 
     fits = {name: n for name, n in s["fits"].items() if n}
+    verdicts = s["verdicts"]
     how = (
         f"{s['n_times']} times together, {', '.join(f'{q} {k}' for q, k in s['trends'].items())}"
         if s["trends"]
@@ -49,13 +50,21 @@ def show_fitted(
     )
     rows = [
         ("map", f"{s['name']}: {s['shape'][1]} x {s['shape'][0]} texels, {how}"),
-        ("model", s["model"] + ("  (chosen on some texels by BIC)" if s["tried"] else "")),
+        ("model", s["model"] + (f"  (the best of {len(s['tried'])} by BIC, on some texels)" if s["tried"] else "")),
+        *([("time", f"{s['time']} alone, at {s['times'][0]:.4g} h")] if s["time"] is not None else []),
         *([("held", ", ".join(f"{k} = {v}" for k, v in s["fixed"].items()))] if s["fixed"] else []),
     ]
     console.print_facts(rows)
     print()
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
-    heads = ("map", "lower quarter", "median", "upper quarter", "standard error")
+    heads = (
+        "map",
+        "lower quarter",
+        "median",
+        "upper quarter",
+        "standard error",
+        *(("determined",) if verdicts else ()),
+    )
     for k, head in enumerate((*heads, *(("error", "within 2 s.e.") if errors else ()))):
         table.add_column(head, justify="left" if k == 0 else "right")
     for name, (low, middle, high, stderr) in quartiles(fitted).items():
@@ -70,12 +79,53 @@ def show_fitted(
             f"{middle:.4g}",
             f"{high:.4g}",
             f"{stderr:.2g}",
+            *([share_of(verdicts[name], "identified")] if verdicts else []),
             *(extra if errors else ()),
         )
     console.print_table(table)
     print()
     counted = ", ".join(f"{n} {name.replace('_', ' ')}" for name, n in fits.items())
-    rows = [("fits", counted), ("blocks", f"{s['blocks_done']} of {s['blocks']} done"), *written]
+    loss = s["loss"] + ("" if s["robust"] == "none" else f", {s['robust']}")
+    rows = [*tried_rows(s["tried"]), *verdict_rows(verdicts), ("loss", loss)]
+    rows += [("fits", counted), ("blocks", f"{s['blocks_done']} of {s['blocks']} done"), *written]
     if errors:
         rows.insert(0, ("truth", "known: the error is the median distance from it"))
     console.print_facts(rows)
+
+
+def share_of(counts: dict[str, int], *words: str) -> str:
+    """The share of fitted values that have one of some verdicts."""
+    total = sum(n for word, n in counts.items() if word != "not_fitted")
+    share = sum(counts[word] for word in words) / total if total else 0.0
+    # Never "100 %" or "0 %" of what is not all or nothing.
+    return f"{100 * share:.0f} %" if share in (0, 1) else f"{100 * min(max(share, 5e-4), 0.9995):.1f} %"
+
+
+def verdict_rows(verdicts: dict[str, dict[str, int]]) -> list[Row]:
+    """A line for each verdict other than "identified", with the share of the values of each parameter that have it."""
+    from motes.fitting.covariance import VERDICTS
+
+    rows = []
+    for verdict in VERDICTS:
+        word = verdict.name.lower()
+        if word == "identified":
+            continue
+        found = [(name, share_of(counts, word)) for name, counts in verdicts.items() if counts.get(word)]
+        if found:
+            rows.append(
+                ("note", f"{', '.join(f'{name} in {share}' for name, share in found)} of its values: {verdict}")
+            )
+    return rows
+
+
+def tried_rows(tried: list[dict[str, Any]]) -> list[Row]:
+    """The models that were compared, with their distance from the data."""
+    if not tried:
+        return []
+    best = min(t["bic"] for t in tried)
+    lines = []
+    for t in tried:
+        rms = "" if t["relative_rms"] is None else f", relative RMS {100 * t['relative_rms']:.2f} %"
+        standing = "chosen" if t["chosen"] else f"BIC {t['bic'] - best:+,.0f}"
+        lines.append(f"{t['model']}: {standing}{rms}")
+    return [("tried", "\n".join(lines))]

@@ -314,9 +314,11 @@ class TexelSolver(TexelSetup):
 
 def _noise(residuals: Singles) -> Floats:
     """Of each texel (M,): the median distance of its residuals (M, n) from their median, as a standard deviation."""
-    middle = np.nanmedian(residuals, axis=1, keepdims=True)
-    spread = np.nanmedian(np.abs(residuals - middle), axis=1)
-    return np.asarray(np.maximum(MEDIAN_TO_DEVIATION * np.nan_to_num(spread.astype(np.float64)), 1e-12))
+    measured = np.isfinite(residuals).any(axis=1)  # the median of nothing is a warning
+    middle = np.nanmedian(residuals[measured], axis=1, keepdims=True)
+    spread = np.zeros(len(residuals))
+    spread[measured] = np.nanmedian(np.abs(residuals[measured] - middle), axis=1)
+    return np.asarray(np.maximum(MEDIAN_TO_DEVIATION * spread, 1e-12))
 
 
 def _own_covariance(packed: Singles, stderr: Singles) -> Singles:

@@ -57,6 +57,8 @@ def compare(
     result: dict[str, dict[str, float | None]] = {}
     for name in names or [q for q in fitted.quantities if q in stack.truth]:
         value, true = fitted.values(name, where), np.asarray(stack.truth[name][where], float)
+        time = fitted.plan.settings.time
+        true = true if time is None else true[:, :, time : time + 1]
         good = np.isfinite(value) & np.isfinite(true)
         if not good.any():
             continue

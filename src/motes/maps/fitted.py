@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Any, final
@@ -15,10 +15,19 @@ from numpy.typing import NDArray
 
 from motes import outlets
 from motes.errors import DataError, FormatError, MotesError
+from motes.fitting.formatting import finite
 from motes.fitting.texels import TexelFit
-from motes.maps import making, zarrs
+from motes.maps import zarrs
 from motes.maps.blocks import Blocks
-from motes.maps.layout import EXTRAS, FLAGS, Variable, stored_variables, variables_of
+from motes.maps.layout import (
+    EXTRAS,
+    FLAGS,
+    VERDICT_FLAGS,
+    Variable,
+    labels,
+    stored_variables,
+    worst,
+)
 from motes.maps.plan import Plan
 from motes.maps.stack import open_dataset
 from motes.material import Material
@@ -26,6 +35,7 @@ from motes.models import BRDF, parse
 from motes.trends import KINDS, AnyTrend, Tabulated, Trend, evaluate
 
 Floats = NDArray[np.float64]
+Codes = NDArray[np.uint8]
 
 
 @final
@@ -40,7 +50,7 @@ class FittedMap:
     plan
         What was fitted, and how.
     variables
-        The maps of parameters, by name; each has a companion ``NAME_stderr``.
+        The maps of parameters, by name; each has companions ``NAME_stderr`` and ``NAME_verdict``.
     blocks
         How the texels are divided.
     hours, channels
@@ -82,6 +92,16 @@ class FittedMap:
         return tuple(dict.fromkeys(v.quantity for v in self.variables.values()))
 
     @property
+    def version(self) -> int:
+        """Of the store; before 2 there are no verdicts."""
+        return int(self.group.attrs["version"])
+
+    @property
+    def labels(self) -> tuple[str, ...]:
+        """The rows and columns of `covariance`: ``K_d[R]``, ``sigma_d``, with trends ``K_s_start``."""
+        return labels(self.variables.values(), self.channels)
+
+    @property
     def failures(self) -> tuple[tuple[tuple[int, int], str], ...]:
         """Blocks that failed in the last run, and why."""
         listed = self.group["run"].attrs.get("failures") or ()
@@ -113,6 +133,69 @@ class FittedMap:
             totals += np.bincount(np.asarray(status[self.blocks.slices(block)]).ravel(), minlength=256)
         return {name: int(totals[value]) for name, value in FLAGS.items()}
 
+    def verdict_counts(self) -> dict[str, dict[str, int]]:
+        """By map, how many of its values have which verdict; nothing where the store has none."""
+        found: dict[str, dict[str, int]] = {}
+        for name in self.variables:
+            if f"{name}_verdict" not in self.group:
+                continue
+            totals = np.zeros(256, np.int64)
+            for block in self.blocks:
+                codes = self.read_map(f"{name}_verdict", self.blocks.slices(block))
+                totals += np.bincount(codes.ravel(), minlength=256)
+            found[name] = {word: int(totals[code]) for word, code in VERDICT_FLAGS.items()}
+        return found
+
+    def adrift(self) -> int:
+        """How many fits stopped at the limit of iterations with a parameter that the data do not determine: they wandered along it."""
+        if self.version < zarrs.FITTED_VERSION:
+            return 0
+        total = 0
+        for block in self.blocks:
+            where = self.blocks.slices(block)
+            stopped = self.read_map("status", where) == FLAGS["max_iterations"]
+            unseen = np.zeros(stopped.shape, bool)
+            for name, v in self.variables.items():
+                lost = self.verdicts(name, where) == VERDICT_FLAGS["unidentifiable"]
+                unseen |= lost.any(axis=-1) if v.per_channel else lost
+            total += int((stopped & unseen).sum())
+        return total
+
+    def verdicts(self, name: str, where: tuple[slice, slice] = (slice(None), slice(None))) -> Codes:
+        """What the data say about a parameter: positions in `motes.fitting.covariance.VERDICTS`, 255 where there is no fit.
+
+        Parameters
+        ----------
+        name
+            One of `variables`: (y, x[, T][, C]).  Or with trends one of `quantities`, (y, x): the worst of its coefficients and channels.
+        where
+            The part of the map.
+        """
+        if name in self.variables:
+            if f"{name}_verdict" not in self.group:
+                raise MotesError(f"{self.path} holds no verdicts: an earlier Motes wrote it", "Fit the map again")
+            return np.asarray(self.read_map(f"{name}_verdict", where), np.uint8)
+        parts = [self.verdicts(v.name, where) for v in self.variables.values() if v.quantity == name]
+        if not parts:
+            raise MotesError(f"{self.path} has no parameter {name!r}", f"It has {', '.join(self.quantities)}")
+        return worst(np.concatenate([p.reshape(*p.shape[:2], -1) for p in parts], axis=-1))
+
+    def covariance(self, where: tuple[slice, slice] = (slice(None), slice(None))) -> Floats:
+        """Covariance matrices (y, x[, T], P, P) of the fits, rows and columns as `labels`; NaN for what has no standard error.
+
+        Raises
+        ------
+        MotesError
+            When they were not kept.
+        """
+        if "covariance" not in self.group:
+            raise MotesError(f"{self.path} holds no covariances", "Fit the map with covariance=True, or --covariance")
+        packed, size = self.read_map("covariance", where).astype(float), len(self.labels)
+        rows, columns = np.tril_indices(size)
+        full = np.empty((*packed.shape[:-1], size, size))
+        full[..., rows, columns] = full[..., columns, rows] = packed
+        return full
+
     def read_map(self, name: str, where: tuple[slice, slice] = (slice(None), slice(None))) -> NDArray[Any]:
         """A map of the store, or the part of it `where`: one of `variables`, its ``_stderr``, ``relative_rms``, ``status``."""
         if name not in self.group:
@@ -143,7 +226,7 @@ class FittedMap:
     @property
     def kinds(self) -> dict[str, str]:
         """The kind of trend of each parameter; empty where every time was fitted alone."""
-        trends = self.plan.settings.trends
+        trends = self.plan.fitting.trends
         return {} if trends is None else {q: trends.get(q, "constant") for q in self.quantities}
 
     def material(self, y: int, x: int) -> Material:
@@ -199,9 +282,13 @@ class FittedMap:
             "source": settings.source,
             "blocks": int(done.size),
             "blocks_done": int(done.sum()),
+            "robust": settings.robust,
+            "time": settings.time,
+            "covariance": "covariance" in self.group,
             "fits": self.counts(),
+            "verdicts": self.verdict_counts(),
             "failures": [{"block": list(block), "reason": reason} for block, reason in self.failures],
-            "tried": self.plan.tried if len(self.plan.tried) > 1 else {},
+            "tried": [finite(asdict(trial) | {"status": str(trial.status)}) for trial in self.plan.tried],
         }
 
     def report(self, path: str | os.PathLike[str]) -> Path:
@@ -215,11 +302,17 @@ class FittedMap:
         where = self.blocks.slices(block)
         size = tuple(s.stop - s.start for s in where) + (() if self.joint else (len(self.hours),))
         for v in self.variables.values():
-            for name, source in ((v.name, fit.x), (f"{v.name}_stderr", fit.stderr)):
+            for name, source in (
+                (v.name, fit.x),
+                (f"{v.name}_stderr", fit.stderr),
+                (f"{v.name}_verdict", fit.verdicts),
+            ):
                 part = source[:, list(v.columns)] if v.per_channel else source[:, v.columns[0]]
                 self.group[name][where] = part.reshape(*size, *part.shape[1:])
         for name in EXTRAS:
             self.group[name][where] = getattr(fit, name).reshape(size)
+        if "covariance" in self.group and fit.covariance is not None:
+            self.group["covariance"][where] = fit.covariance.reshape(*size, -1)
         self.group["run/done"][block] = 1
 
     def record_failures(self, failures: Sequence[tuple[tuple[int, int], str]]) -> None:
@@ -247,52 +340,6 @@ class FittedMap:
         return Trend(self.kinds[quantity], coefficients, self._interval, parameter.bounds)
 
 
-def create_fitted(path: Path, plan: Plan, restart: bool) -> FittedMap:
-    """A new, empty store for the results of a plan; with `restart` in place of another."""
-    stack, solver = plan.stack, plan.solver
-    replaced = path.exists() and restart and zarrs.is_store(path) and _is_ours(path)
-    variables = variables_of(solver.columns, plan.settings.trends is not None)
-    times = () if plan.settings.trends is not None else ("time",)
-    grid = {"y": stack.shape[0], "x": stack.shape[1], "time": len(stack.hours), "channel": len(stack.channels)}
-
-    def empty(group: Any, name: str, dims: tuple[str, ...], **options: Any) -> None:
-        shape = tuple(grid[d] for d in dims)
-        zarrs.add(group, name, dims=dims, shape=shape, chunks=(*stack.blocks.block, *shape[2:]), **options)
-
-    with making.whole(path, instead=replaced) as store:
-        group = making.new_group(store)
-        for v in variables:
-            dims = ("y", "x", *times, *(("channel",) if v.per_channel else ()))
-            unit = v.unit or "1"
-            empty(group, v.name, dims, attributes={"units": unit, "long_name": v.doc})
-            about = {"units": unit, "long_name": f"standard error of {v.name}; NaN at a bound or not determined"}
-            empty(group, f"{v.name}_stderr", dims, attributes=about)
-        for name, (dtype, fill, about) in EXTRAS.items():
-            empty(group, name, ("y", "x", *times), dtype=dtype, fill=fill, attributes=about)
-        zarrs.add(group, "time", stack.hours, dims=("time",), attributes={"units": "h"})
-        run = group.create_group("run")
-        zarrs.add(
-            run, "done", dims=("block_y", "block_x"), shape=stack.blocks.counts, chunks=(1, 1), dtype="u1", fill=0,
-            compressed=False,
-        )  # fmt: skip
-        run.attrs["plan"] = plan.to_dict()
-        group.attrs.update(
-            {
-                "format": zarrs.FITTED,
-                "version": zarrs.VERSION,
-                "name": stack.name,
-                "model": plan.model,
-                "fixed": plan.fitting.fixed,
-                "loss": plan.settings.loss,
-                "trends": {} if plan.settings.trends is None else plan.settings.trends,
-                "channels": list(stack.channels),
-                "conventions": zarrs.CONVENTIONS,
-                "source": plan.settings.source,
-            }
-        )
-    return open_fitted(path, mode="r+")
-
-
 def open_fitted(path: object, mode: str = "r") -> FittedMap:
     """The fitted map in a store that `create_fitted` made.
 
@@ -305,9 +352,9 @@ def open_fitted(path: object, mode: str = "r") -> FittedMap:
     group = zarrs.open_group(folder, mode)
     if group.attrs.get("format") != zarrs.FITTED:
         raise FormatError(f"{folder} is not a fitted map", "motes fit MAP.zarr writes one")
-    if not isinstance(group.attrs.get("version"), int) or group.attrs["version"] > zarrs.VERSION:
+    if not isinstance(group.attrs.get("version"), int) or group.attrs["version"] > zarrs.FITTED_VERSION:
         raise FormatError(
-            f"{folder} is of version {group.attrs.get('version')!r}, newer than {zarrs.VERSION}", "Update Motes"
+            f"{folder} is of version {group.attrs.get('version')!r}, newer than {zarrs.FITTED_VERSION}", "Update Motes"
         )
     try:
         plan = Plan.from_dict(group["run"].attrs["plan"])
@@ -331,7 +378,3 @@ def _numbered(folder: Path) -> list[int]:
         return [int(name) for name in os.listdir(folder) if name.isdecimal()]
     except FileNotFoundError:
         return []
-
-
-def _is_ours(path: Path) -> bool:
-    return bool(zarrs.open_group(path).attrs.get("format") == zarrs.FITTED)

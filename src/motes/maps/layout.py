@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from motes.fitting.texels import TexelSolver, TexelStatus
+from motes.fitting.covariance import VERDICTS
+from motes.fitting.texels import NO_VERDICT, TexelSolver, TexelStatus
+from motes.fitting.verdicts import Verdict
 from motes.maps.plan import Plan
 
 NOT_FITTED = 255
@@ -27,6 +30,14 @@ EXTRAS: dict[str, tuple[str, Any, dict[str, Any]]] = {
     "iterations": ("u1", 0, {"long_name": "iterations of the fit"}),
 }
 
+#: Verdicts as they are stored: names and codes.
+VERDICT_FLAGS = {
+    **{verdict.name.lower(): code for code, verdict in enumerate(VERDICTS) if verdict is not Verdict.FIXED},
+    "not_fitted": NO_VERDICT,
+}
+#: From what is well to what is worst, for what stands for several.
+WORST = ("not_fitted", "identified", "weak", "at_lower", "at_upper", "unidentifiable")
+
 
 class Variable(NamedTuple):
     """A map in the store: a quantity, with trends a coefficient of its trend, and the solver's columns that it holds."""
@@ -40,6 +51,42 @@ class Variable(NamedTuple):
     doc: str
 
 
+def verdict_attributes(variable: Variable) -> dict[str, Any]:
+    """What is said of a map of verdicts."""
+    return {
+        "long_name": f"what the data say about {variable.name}",
+        "flag_values": list(VERDICT_FLAGS.values()),
+        "flag_meanings": " ".join(VERDICT_FLAGS),
+    }
+
+
+def covariance_attributes(names: Sequence[str]) -> dict[str, Any]:
+    """What is said of the covariances of the fits."""
+    return {
+        "long_name": "covariance of the parameters; NaN for what has no standard error",
+        "labels": list(names),
+        "packing": "lower triangle, row by row: (0, 0), (1, 0), (1, 1), (2, 0), ...; rows and columns as labels",
+    }
+
+
+def worst(codes: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """The worst of verdicts along the last axis."""
+    rank = np.zeros(256, np.uint8)
+    rank[[VERDICT_FLAGS[name] for name in WORST]] = np.arange(len(WORST))
+    back = np.array([VERDICT_FLAGS[name] for name in WORST], np.uint8)
+    found: NDArray[np.uint8] = back[rank[codes].max(axis=-1)]
+    return found
+
+
+def labels(variables: Iterable[Variable], channels: Sequence[str]) -> tuple[str, ...]:
+    """Names of the solver's columns: ``K_d[R]``, ``sigma_d``, with trends ``K_s_start``."""
+    named: dict[int, str] = {}
+    for v in variables:
+        for k, column in enumerate(v.columns):
+            named[column] = f"{v.name}[{channels[k]}]" if v.per_channel else v.name
+    return tuple(named[k] for k in sorted(named))
+
+
 def stored_variables(plan: Plan, channels: int) -> dict[str, Variable]:
     """The variables of a plan, without its data."""
     up = np.array([[0.0, 0.0, 1.0]])
@@ -50,7 +97,7 @@ def stored_variables(plan: Plan, channels: int) -> dict[str, Variable]:
         up,
         channels,
         hours=hours,
-        trends=plan.settings.trends,
+        trends=plan.fitting.trends,
         fixed=plan.fitting.fixed,
         per_channel=plan.fitting.per_channel,
     )

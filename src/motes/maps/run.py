@@ -10,11 +10,15 @@ from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
+from numpy.typing import ArrayLike
+
 from motes.errors import MotesError
 from motes.maps import zarrs
-from motes.maps.fitted import FittedMap, create_fitted, open_fitted
+from motes.maps.beginning import create_fitted
+from motes.maps.fitted import FittedMap, open_fitted
 from motes.maps.making import at_work
-from motes.maps.plan import Plan, Settings, with_block
+from motes.maps.plan import Plan
+from motes.maps.settings import Settings, with_block
 from motes.maps.stack import MapStack, open_stack
 from motes.maps.work import DONE, UNREADABLE, Outcome, fit_block, read_block, write_block
 from motes.models import BRDF
@@ -29,11 +33,14 @@ def fit_map(
     *,
     out: str | os.PathLike[str],
     loss: str = "linear",
+    robust: str = "none",
+    time: int | None = None,
     trends: Mapping[str, str] | None = None,
     fixed: Collection[str] | Mapping[str, Any] = (),
     per_channel: Collection[str] = (),
-    weights: str = "measurement",
+    weights: str | ArrayLike = "measurement",
     max_theta: float | None = None,
+    covariance: bool = False,
     block: tuple[int, int] | None = None,
     scheduler: str | None = None,
     workers: int | None = None,
@@ -51,18 +58,22 @@ def fit_map(
         A map: the path of a Zarr store, or a `MapStack`.
     model
         Text such as ``"oren_nayar + torrance_sparrow"`` (values given in it are held), a BRDF (fits also start from its values), or
-        ``"auto"``: the one of a few that some texels from all over the map prefer by BIC.
+        ``"auto"``: the one of those that `motes.fit` tries which some texels from all over the map prefer by BIC.
     out
         The Zarr store of the results.
-    loss
-        ``"linear"`` and ``"plain"`` are fast; see `motes.fitting.losses`.
+    loss, robust
+        As for `motes.fit`.
+    time
+        Which of the map's times to fit alone, from 0; None for all of them.
     trends
         Fit all times of a texel together, each parameter following a trend: names to kinds (`motes.trends.KINDS`); what is not named is
         constant.  None: every time alone.
     fixed, per_channel, max_theta
         As for `motes.fit`.
     weights
-        ``"measurement"`` for those in the store, ``"uniform"``.
+        ``"measurement"`` for those in the store, ``"uniform"``, or numbers >= 0 for the directions (D,).
+    covariance
+        Keep the covariance matrices of the fits besides: see `FittedMap.covariance`.
     block
         Rows and columns of texels that are fitted and saved at a time; by default whole chunks of the store.
     scheduler
@@ -95,7 +106,19 @@ def fit_map(
     stack = with_block(stack, block)
     if progress:
         progress(0, 1, "planning")
-    settings = Settings.of(stack, model, loss, trends, fixed, per_channel, weights, max_theta)
+    settings = Settings.of(
+        stack,
+        model,
+        loss=loss,
+        robust=robust,
+        trends=trends,
+        time=time,
+        fixed=fixed,
+        per_channel=per_channel,
+        weights=weights,
+        max_theta=max_theta,
+        covariance=covariance,
+    )
     path = Path(out)
     with ExitStack() as held:
         if restart and _lock(path).is_dir():
@@ -159,6 +182,11 @@ def _resumed(path: Path, settings: Settings, restart: bool) -> FittedMap | None:
         done = fitted.done()
         raise MotesError(
             f"{path} holds {done.sum()} of {done.size} blocks of another run: {difference}",
+            "Choose another name with -o, or start over with --restart",
+        )
+    if fitted.version < zarrs.FITTED_VERSION and not fitted.done().all():
+        raise MotesError(
+            f"{path} was begun by an earlier Motes, which kept no verdicts",
             "Choose another name with -o, or start over with --restart",
         )
     if fitted.plan.settings.source != settings.source:  # the map was moved

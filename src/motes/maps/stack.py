@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any, final
@@ -48,6 +48,8 @@ class MapStack:
         The Zarr array, float32 unless it says otherwise; NaN = not measured.
     attributes
         Of the store.
+    time
+        Which of the array's times it is, where it is one; None for all.
     """
 
     path: Path
@@ -59,6 +61,7 @@ class MapStack:
     blocks: Blocks
     array: Any = field(repr=False)
     attributes: Mapping[str, Any] = field(repr=False)
+    time: int | None = None
 
     @property
     def name(self) -> str:
@@ -84,6 +87,16 @@ class MapStack:
         """The values of a block (y, x, T, D, C), float32; NaN where it cannot be a value: see `usable`."""
         return self._values(self.blocks.slices(block))
 
+    def at(self, time: int | None) -> MapStack:
+        """The same map at one of its times, from 0; the whole of it for None."""
+        if time is None:
+            return self
+        if self.time is not None or not 0 <= time < len(self.hours):
+            raise DataError(
+                f"time {time} is outside 0..{len(self.hours) - 1} of {self.path}", "Choose one of its times"
+            )
+        return replace(self, hours=self.hours[time : time + 1], time=time)
+
     def texels(self, y: int, x: int) -> Singles:
         """The values (T, D, C) of one texel."""
         return np.asarray(self._values((slice(y, y + 1), slice(x, x + 1)))[0, 0])
@@ -95,7 +108,7 @@ class MapStack:
             raise DataError(f"values of shape {data.shape} do not fit a map (y, x, {', '.join(map(str, self.sizes))})")
         h, w = data.shape[:2]
         try:
-            self.array[y : y + h, x : x + w] = data
+            self.array[y : y + h, x : x + w, self._times] = data
         except OSError as error:
             raise zarrs.Unwritable(self.path, error) from error
 
@@ -135,8 +148,12 @@ class MapStack:
             "notes": [str(n) for n in self.attributes.get("notes") or ()],
         }
 
+    @property
+    def _times(self) -> slice:
+        return slice(None) if self.time is None else slice(self.time, self.time + 1)
+
     def _values(self, where: tuple[slice, slice]) -> Singles:
-        values = np.ascontiguousarray(zarrs.unpacked(self.array[where], self.array.attrs, np.float32))
+        values = np.ascontiguousarray(zarrs.unpacked(self.array[(*where, self._times)], self.array.attrs, np.float32))
         if values.min() >= 0 and values.max() < np.inf:  # NaN fails both; as good as always, and four times as quick
             return values
         return usable(values if values.flags.writeable else values.copy())

@@ -39,7 +39,7 @@ def fit_block(fitted: FittedMap, values: Singles) -> TexelFit:
         values = values[:, :, :, plan.used]
     size = values.shape[0] * values.shape[1]
     rows = values.reshape(size, *values.shape[2:]) if fitted.joint else values.reshape(-1, *values.shape[3:])
-    return plan.solver.fit(rows, plan.starts)
+    return plan.solver.fit(rows, plan.starts, covariance=plan.settings.covariance)
 
 
 def write_block(fitted: FittedMap, block: tuple[int, int], fit: TexelFit) -> Outcome:

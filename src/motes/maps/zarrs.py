@@ -29,7 +29,8 @@ MEMBERS = {
     "weight": ("direction",),
 }
 STACK, FITTED = "motes map", "motes fitted map"
-VERSION = 1
+# Of stores of measured maps; and of fitted ones, which since 2 hold verdicts.
+VERSION, FITTED_VERSION = 1, 2
 CONVENTIONS = {
     **MATERIAL_CONVENTIONS,
     "map": "rows y downwards, columns x to the right; one frame, one light and one viewer a direction for all texels",

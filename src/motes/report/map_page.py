@@ -15,9 +15,10 @@ from motes.drawing.svg import number
 from motes.files import replacing, write_text
 from motes.maps.comparison import quartiles
 from motes.maps.fitted import FittedMap
-from motes.maps.layout import FLAGS, NOT_FITTED
+from motes.maps.layout import FLAGS, NOT_FITTED, VERDICT_FLAGS, worst
 from motes.report.document import document
 from motes.report.figures import color_bar, figure
+from motes.report.findings import percent
 from motes.version import __version__
 
 Pixels = NDArray[np.uint8]
@@ -30,6 +31,13 @@ STATUS_COLORS = {
     "max_iterations": (240, 180, 40),
     "no_data": (90, 90, 90),
     "failed": (200, 40, 40),
+}
+VERDICT_COLORS = {
+    "identified": (38, 130, 142),
+    "weak": (240, 180, 40),
+    "unidentifiable": (200, 40, 40),
+    "at_lower": (86, 108, 196),
+    "at_upper": (150, 84, 168),
 }
 
 
@@ -77,9 +85,7 @@ def parameter_strips(fitted: FittedMap) -> list[Strip]:
     """The parameters over time, or with trends what they are made of as well; per-channel ones in their own colours."""
     where = _thinned(fitted)
     slots = {slot.name: slot.parameter for slot in fitted.brdf.slots()}
-    n = len(fitted.hours)
-    shown = sorted({int(k) for k in np.linspace(0, n - 1, min(n, SHOWN_TIMES)).round()})
-    titles = tuple(f"{fitted.hours[k]:.4g} h" for k in shown) if n > 1 else ("",)
+    shown, titles = _shown_times(fitted)
     strips = []
     for quantity in fitted.quantities:
         values = fitted.values(quantity, where)
@@ -90,6 +96,13 @@ def parameter_strips(fitted: FittedMap) -> list[Strip]:
             if v.unit == "h":
                 strips.append(_strip(v.name, f"{v.doc} [h]", fitted.read_map(v.name, where)[:, :, None], ("",), fitted))
     return strips
+
+
+def _shown_times(fitted: FittedMap) -> tuple[list[int], tuple[str, ...]]:
+    """The times that pictures are of, and their titles."""
+    n = len(fitted.hours)
+    shown = sorted({int(k) for k in np.linspace(0, n - 1, min(n, SHOWN_TIMES)).round()})
+    return shown, tuple(f"{fitted.hours[k]:.4g} h" for k in shown) if n > 1 else ("",)
 
 
 def contact_sheet(rows: list[tuple[Pixels, ...]], gap: int = 4) -> Pixels:
@@ -174,9 +187,35 @@ def _page(fitted: FittedMap, strips: list[Strip]) -> str:
     ]
     heads = ("map", "lower quarter", "median", "upper quarter", "standard error (median)")
     parts += [tag("h2", "Numbers"), table(heads, rows)]
-    parts += [tag("h2", "How sure"), *_errors(fitted, where), *_status(fitted, where, counts)]
+    parts += _tried(fitted)
+    parts += [
+        tag("h2", "How sure"),
+        *_verdicts(fitted, where),
+        *_errors(fitted, where),
+        *_status(fitted, where, counts),
+    ]
     parts.append(tag("footer", f"Motes {__version__}. Fitted from {fitted.plan.settings.source}."))
     return document(f"{fitted.name}: {fitted.model}", *parts)
+
+
+def _tried(fitted: FittedMap) -> list[Html]:
+    """The models that were compared."""
+    tried = fitted.plan.tried
+    if not tried:
+        return []
+    best = min(t.bic for t in tried)
+    rows = [
+        (
+            tag("td", tag("code", t.model), tag("span", " ✓ chosen", class_="verdict good") if t.chosen else None),
+            tag("td", str(t.n_parameters), class_="number"),
+            tag("td", percent(t.relative_rms), class_="number"),
+            tag("td", f"+{t.bic - best:,.1f}" if t.bic > best else "0", class_="number"),
+        )
+        for t in tried
+    ]
+    note = "BIC, summed over some texels from all over the map, weighs closeness against the number of parameters; the smallest is chosen."
+    heads = ("model", "free parameters", "relative RMS", "BIC above the best")
+    return [tag("h2", "Models tried"), table(heads, rows), tag("p", note, class_="note")]
 
 
 def _errors(fitted: FittedMap, where: tuple[slice, slice]) -> list[Html]:
@@ -204,25 +243,62 @@ def _errors(fitted: FittedMap, where: tuple[slice, slice]) -> list[Html]:
     ]
 
 
+def _verdicts(fitted: FittedMap, where: tuple[slice, slice]) -> list[Html]:
+    """What the data determine: a sentence on the maps that they determine everywhere, pictures of the others."""
+    counts = fitted.verdict_counts()
+    if not counts:
+        return []
+    told = {name: {word: n for word, n in c.items() if n and word != "not_fitted"} for name, c in counts.items()}
+    whole = [name for name, found in told.items() if set(found) == {"identified"}]
+    parts = []
+    if whole:
+        parts.append(tag("p", f"The data determine every value of {', '.join(whole)}."))
+    shown, titles = _shown_times(fitted)
+    for name, found in told.items():
+        if not found or name in whole:
+            continue
+        codes = fitted.verdicts(name, where)
+        over_time = codes.reshape(*codes.shape[:2], 1 if fitted.joint else len(fitted.hours), -1)
+        codes = worst(over_time)[:, :, [0] if fitted.joint else shown]
+        pictures = [_colored(codes[:, :, k], VERDICT_COLORS, VERDICT_FLAGS) for k in range(codes.shape[2])]
+        own = ("",) if fitted.joint else titles
+        panels = [_image(p, t, f"verdict on {name} {t}".strip()) for p, t in zip(pictures, own, strict=True)]
+        total = sum(found.values())
+        shares = {word: percent(n / total) for word, n in found.items()}
+        several = ", of its channels the worst" if over_time.shape[-1] > 1 else ""
+        words = f"What the data say about {name}{several}; grey where there is no fit."
+        parts.append(tag("h3", tag("code", name), f": determined in {shares.get('identified', '0 %')} of its values"))
+        parts.append(figure(panels, words, _key(VERDICT_COLORS, shares), kind="strip"))
+    return parts
+
+
+def _colored(codes: Any, colors: dict[str, tuple[int, int, int]], flags: dict[str, int]) -> Pixels:
+    """A picture of codes (y, x), grey for those without a colour."""
+    picture = np.full((*codes.shape, 3), BLANK, np.uint8)
+    for name, color in colors.items():
+        picture[codes == flags[name]] = color
+    return picture
+
+
+def _key(colors: dict[str, tuple[int, int, int]], told: dict[str, str]) -> Html:
+    """What colours mean, and what is told of each; those of which nothing is told are left out."""
+    marks = (
+        tag(
+            "span",
+            tag("i", class_="mark dot", style=f"background:rgb{colors[name]}"),
+            f"{name.replace('_', ' ')}: {text}",
+        )
+        for name, text in told.items()
+    )
+    return tag("p", *marks, class_="key")
+
+
 def _status(fitted: FittedMap, where: tuple[slice, slice], counts: dict[str, int]) -> list[Html]:
     status = fitted.read_map("status", where)
-    worst = status if status.ndim == 2 else np.where(status == NOT_FITTED, 0, status).max(axis=2)
-    picture = np.full((*worst.shape, 3), BLANK, np.uint8)
-    for name, color in STATUS_COLORS.items():
-        picture[worst == FLAGS[name]] = color
+    ended = status if status.ndim == 2 else np.where(status == NOT_FITTED, 0, status).max(axis=2)
+    picture = _colored(ended, STATUS_COLORS, FLAGS)
     if status.ndim == 3:
         picture[(status == NOT_FITTED).all(axis=2)] = BLANK
-    keys = tag(
-        "p",
-        *(
-            tag(
-                "span",
-                tag("i", class_="mark dot", style=f"background:rgb{color}"),
-                f"{name.replace('_', ' ')}: {counts[name]:,}",
-            )
-            for name, color in STATUS_COLORS.items()
-        ),
-        class_="key",
-    )
+    keys = _key(STATUS_COLORS, {name: f"{counts[name]:,}" for name in STATUS_COLORS})
     words = "How fits ended; where times ended differently, the worst. Grey: not fitted yet."
     return [figure([_image(picture, "", "status")], words, keys, kind="strip")]
