@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -44,6 +45,13 @@ def demo(
     return fit_and_write(measurement, time, folder, True, {}, common, truth)
 
 
+def simulated_plaster(folder: Path, progress: Callable[[int, int, str], None] | None = None) -> Path:
+    """The twelve scans of the demonstration, written to a folder; the same in each version."""
+    from motes.ageing import drying_plaster, simulate
+
+    return simulate(folder, drying_plaster, seed=SEED, name="dusty plaster", process="drying", progress=progress)
+
+
 def true_trends(last: float) -> dict[str, Any]:
     """What is true of the plaster: for each parameter the kind of trend, its coefficients, the values at both ends."""
     import numpy as np
@@ -83,7 +91,6 @@ def _at(times: Any, index: int) -> dict[str, Any]:
 
 def _simulate(plaster: Path, common: Common) -> None:
     """Write the scans, in place of those of an earlier demonstration."""
-    from motes.ageing import drying_plaster, simulate
     from motes.cli import console, paths
     from motes.errors import MotesError
     from motes.measurements.tvbrdf import DATA, INFO
@@ -96,8 +103,6 @@ def _simulate(plaster: Path, common: Common) -> None:
             )
     with paths.results(plaster.parent) as staging:
         with console.progress(common, "simulating") as step:
-            simulate(
-                staging / plaster.name, drying_plaster, seed=SEED, name="dusty plaster", process="drying", progress=step
-            )
+            simulated_plaster(staging / plaster.name, step)
         if plaster.is_dir():
             shutil.rmtree(plaster)

@@ -40,6 +40,7 @@ def show_fitted(
 
     from motes.cli import console
     from motes.maps.comparison import quartiles
+    from motes.measurements.origin import not_measured
 
     fits = {name: n for name, n in s["fits"].items() if n}
     verdicts = s["verdicts"]
@@ -50,6 +51,7 @@ def show_fitted(
     )
     rows = [
         ("map", f"{s['name']}: {s['shape'][1]} x {s['shape'][0]} texels, {how}"),
+        *([("source", said)] if (said := not_measured({"source": s["origin"]})) else []),
         ("model", s["model"] + (f"  (the best of {len(s['tried'])} by BIC, on some texels)" if s["tried"] else "")),
         *([("time", f"{s['time']} alone, at {s['times'][0]:.4g} h")] if s["time"] is not None else []),
         *([("held", ", ".join(f"{k} = {v}" for k, v in s["fixed"].items()))] if s["fixed"] else []),

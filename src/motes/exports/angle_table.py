@@ -23,7 +23,8 @@ def measurement(moments: Sequence[tuple[float | None, Subject]]) -> Measurement:
     )
     shape = (len(wi), len(first.channels))
     values = np.stack([np.broadcast_to(subject.brdf.eval(wi, wo), shape) for _, subject in moments])
-    notes = ["calculated from a model, not measured", *map(plain, first.notes if len(moments) == 1 else ())]
+    notes = ["calculated from a model, not measured", *map(plain, first.notes if len(moments) == 1 else first.origin)]
+    source = ". ".join((f"Motes: {plain(first.title)}", *map(plain, first.origin)))
     return Measurement.from_arrays(
         wi,
         wo,
@@ -31,5 +32,5 @@ def measurement(moments: Sequence[tuple[float | None, Subject]]) -> Measurement:
         times=[hours or 0.0 for hours, _ in moments] if len(moments) > 1 else None,
         channels=[plain(name) for name in first.channels],
         wavelengths=first.wavelengths or None,
-        provenance={"name": plain(first.name), "source": f"Motes: {plain(first.title)}", "notes": notes},
+        provenance={"name": plain(first.name), "source": source, "notes": notes},
     )

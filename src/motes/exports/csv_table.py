@@ -55,7 +55,7 @@ def write(moments: Sequence[tuple[float | None, Subject]], path: Path) -> list[P
     notes = [f"{plain(first.title)}; Motes {__version__}", f"f_r: the BRDF in {CONVENTIONS['brdf']}"]
     notes += [
         f"The equations are those of {source_of_equations()}",
-        *map(plain, first.notes if len(moments) == 1 else ()),
+        *map(plain, first.notes if len(moments) == 1 else first.origin),
     ]
     with replacing(path) as temporary, open(temporary, "w", encoding="utf-8", newline="\n") as file:
         file.writelines(f"# {note}\n" for note in notes)

@@ -12,6 +12,7 @@ import numpy as np
 from motes.channels import default_names, names_or_default
 from motes.errors import DataError, ParameterError
 from motes.material import Material
+from motes.measurements.origin import not_measured
 from motes.models import BRDF, describe
 
 LONGEST_NAME = 48
@@ -30,7 +31,7 @@ class Subject:
     channels, wavelengths
         Names, and wavelengths [nm] where they are spectral.
     notes
-        What a file must say besides its formula: the moment of a material that changes.
+        What a file must say besides its formula: the moment of a material that changes, and that data were simulated.
     material, hours
         The whole of it, and the moment; None where it does not change.
     """
@@ -47,6 +48,11 @@ class Subject:
     def identifier(self) -> str:
         """The name as one that all languages accept: lower-case letters, digits and single underscores."""
         return identifier(self.name)
+
+    @property
+    def origin(self) -> tuple[str, ...]:
+        """What a file of any moments must say: that the material was fitted to simulated data."""
+        return _origin(self.material)
 
     @property
     def title(self) -> str:
@@ -102,9 +108,14 @@ def subject(material: Any, hours: float | None = None) -> Subject:
             raise ParameterError(
                 f"{material.name} does not change, so {hours:g} h means nothing", "Leave the hours out"
             )
-        return Subject(material.name, material.brdf, _channels(material), material.wavelengths, (), material)
+        return Subject(
+            material.name, material.brdf, _channels(material), material.wavelengths, _origin(material), material
+        )
     moment = interval[0] if hours is None else hours
-    notes = [f"The material follows time ({interval[0]:g} to {interval[1]:g} h); this is how it is at {moment:g} h."]
+    notes = [
+        *_origin(material),
+        f"The material follows time ({interval[0]:g} to {interval[1]:g} h); this is how it is at {moment:g} h.",
+    ]
     if not interval[0] <= moment <= interval[1]:
         notes.append(f"{moment:g} h is outside the times that were observed.")
     if hours is None:
@@ -118,6 +129,11 @@ def subject(material: Any, hours: float | None = None) -> Subject:
         material,
         float(moment),
     )
+
+
+def _origin(material: Material) -> tuple[str, ...]:
+    said = not_measured(material.about.get("data"))
+    return (said,) if said else ()
 
 
 def _channels(material: Material) -> tuple[str, ...]:

@@ -148,7 +148,7 @@ def export(
     if file.is_dir():
         raise ParameterError(f"{file} is a folder", f"Name a file, such as {file / (first.identifier + target.suffix)}")
     module = importlib.import_module(f"motes.exports.{target.module}")
-    said = list(first.notes) if len(moments) == 1 else []
+    said = list(first.notes if len(moments) == 1 else first.origin)
     if to in SHADERS:
         said += shader_limits(to, first)
         files = [_write_shader(module, to, first, file, options)]

@@ -153,6 +153,11 @@ class Result:
         """The rows of ``parameters.csv``, the headings first."""
         raise NotImplementedError
 
+    @property
+    def source(self) -> str:
+        """Where the data say that they come from, such as ``"simulated by Motes"``; empty where they do not."""
+        return str(self.measurement.provenance.get("source") or "")
+
     def save(self, folder: str | os.PathLike[str]) -> Path:
         """Write ``material.json``, ``fit.json`` and ``parameters.csv`` into `folder`; returns it."""
         target = Path(folder)
@@ -247,10 +252,10 @@ class Fit(Result):
         return rows
 
     def csv_rows(self) -> Iterator[list[str]]:
-        yield ["parameter", "channel", "value", "stderr", "unit", "verdict"]
+        yield ["parameter", "channel", "value", "stderr", "unit", "verdict", "source"]
         for p, k, value, stderr, verdict in self._cells():
             channel = self.material.channels[k] if np.size(p.value) > 1 else ""
-            yield [p.name, channel, repr(value), repr(stderr), p.unit, str(verdict)]
+            yield [p.name, channel, repr(value), repr(stderr), p.unit, str(verdict), self.source]
 
     def _cells(self) -> Iterator[tuple[FittedParameter, int, float, float, Verdict]]:
         """Each parameter for each channel: its position, value, error and verdict."""

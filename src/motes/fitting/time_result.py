@@ -156,7 +156,18 @@ class TimeFit(Result):
         return rows
 
     def csv_rows(self) -> Iterator[list[str]]:
-        yield ["parameter", "channel", "hours", "value", "stderr", "scan_value", "scan_stderr", "trend", "verdict"]
+        yield [
+            "parameter",
+            "channel",
+            "hours",
+            "value",
+            "stderr",
+            "scan_value",
+            "scan_stderr",
+            "trend",
+            "verdict",
+            "source",
+        ]
         scans = {int(s): k for k, s in enumerate(np.flatnonzero(self.measurement.mask.any(axis=(1, 2))))}
         for t in self.trends.values():
             values, errors = t.band(self.hours)
@@ -164,7 +175,7 @@ class TimeFit(Result):
                 for i, hour in enumerate(self.hours):
                     own = (t.scan_values[scans[i], k], t.scan_stderr[scans[i], k]) if i in scans else (np.nan, np.nan)
                     numbers = [repr(float(v)) for v in (hour, values[i, k], errors[i, k], *own)]
-                    yield [t.name, self._channel(k, values), *numbers, t.trend.kind, str(t.verdict)]
+                    yield [t.name, self._channel(k, values), *numbers, t.trend.kind, str(t.verdict), self.source]
 
     def _channel(self, k: int, values: Floats) -> str:
         return self.material.channels[k] if values.shape[1] > 1 else ""

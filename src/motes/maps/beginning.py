@@ -59,6 +59,7 @@ def create_fitted(path: Path, plan: Plan, restart: bool) -> FittedMap:
                 "channels": list(stack.channels),
                 "conventions": zarrs.CONVENTIONS,
                 "source": plan.settings.source,
+                "origin": str(stack.attributes.get("source", "")),
             }
         )
     return open_fitted(path, mode="r+")

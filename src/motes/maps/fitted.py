@@ -72,6 +72,11 @@ class FittedMap:
         return str(self.group.attrs.get("name") or self.path.stem)
 
     @property
+    def origin(self) -> str:
+        """Where the data say that they come from, such as ``"simulated by Motes"``; empty where they do not."""
+        return str(self.group.attrs.get("origin") or "")
+
+    @property
     def model(self) -> str:
         """The model as text."""
         return self.plan.model
@@ -254,7 +259,7 @@ class FittedMap:
                 trends[quantity] = Tabulated(self.hours[good], over_time[good])
         inside = {s.name: np.clip(first[s.name], *s.parameter.fit_bounds) for s in self.brdf.slots() if s.name in first}
         brdf = self.brdf.with_parameters(inside)
-        about = {"map": self.name, "texel": [y, x]}
+        about = {"map": self.name, "texel": [y, x], **({"data": {"source": self.origin}} if self.origin else {})}
         return Material(brdf, f"{self.name} ({y}, {x})", self.channels, trends=trends, about=about)
 
     def to_xarray(self) -> Any:
@@ -280,6 +285,7 @@ class FittedMap:
             "fixed": self.plan.fitting.fixed,
             "loss": settings.loss,
             "source": settings.source,
+            "origin": self.origin,
             "blocks": int(done.size),
             "blocks_done": int(done.sum()),
             "robust": settings.robust,

@@ -13,6 +13,7 @@ import numpy as np
 from motes.errors import DataError
 from motes.files import write_text
 from motes.measurements.measurement import Measurement
+from motes.measurements.origin import not_measured
 
 SCHEMA = "https://raw.githubusercontent.com/asam-ev/OpenMATERIAL-3D/refs/tags/v1.0.0/schemas/material_brdf_schema.json"
 VERSION = "1.0.0"
@@ -26,7 +27,7 @@ def write_openmaterial(
     path: str | Path,
     *,
     metadata: Mapping[str, Any] | None = None,
-    sources: str = "measurement",
+    sources: str | None = None,
 ) -> list[str]:
     """Write a measurement; azimuths relative to that of the light, 0 on its side.
 
@@ -39,7 +40,7 @@ def write_openmaterial(
     metadata
         Entries of the format's ``metadata`` that replace what is made here: authors, copyrights, licence.
     sources
-        ``"measurement"`` or ``"simulation"``.
+        ``"measurement"`` or ``"simulation"``; what the provenance says when not given.
 
     Returns
     -------
@@ -85,7 +86,7 @@ def write_openmaterial(
         "copyrights": [UNKNOWN],
         "license": str(p.get("license") or UNKNOWN),
         "authors": [UNKNOWN],
-        "sources": sources,
+        "sources": sources or ("simulation" if not_measured(p) else "measurement"),
         **(metadata or {}),
     }
     brdf = {"wavelengths": sorted({row[0] for row in rows if row[0] is not None}), "lookupTable": rows}

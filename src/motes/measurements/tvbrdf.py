@@ -27,6 +27,7 @@ from motes.errors import DataError, FormatError
 from motes.files import reading
 from motes.measurements import _common_directions, _timestamps, policy
 from motes.measurements.measurement import Measurement
+from motes.measurements.origin import is_simulated
 
 NAME = "tvbrdf"
 SOURCE = "in the layout of the TVBRDF database (Sun, Sunkavalli, Ramamoorthi, Belhumeur, Nayar, IEEE TVCG 13(3), 2007)"
@@ -141,7 +142,7 @@ def read_tvbrdf(
             "sample": folder.name,
             "name": info.name or folder.name,
             "source": info.source or SOURCE,
-            **({"simulated": True} if info.source.lower().startswith("simulated") else {}),
+            **({"simulated": True} if is_simulated(info.source) else {}),
             "exposures": info.exposures,
             "irradiance": scale,
             "notes": notes,

@@ -12,6 +12,7 @@ from motes.drawing.markup import Html, tag
 from motes.drawing.sphere import LIGHTS, sphere_radiances
 from motes.files import write_text
 from motes.fitting.result import Fit
+from motes.measurements.origin import not_measured
 from motes.report import findings, sections
 from motes.report.document import (
     Section,
@@ -101,7 +102,14 @@ def _headline(context: Context) -> Html:
     if (chi := fit.metrics.get("reduced_chi_square")) is not None:
         facts.insert(1, ("reduced chi-square", f"{chi:.3g}"))
     missed = findings.misses(context.samples, context.near)
-    lead = (findings.verdict(fit), " ", findings.determined(fit), f" {missed}" if missed else None)
+    said = not_measured(data.provenance)
+    lead = (
+        f"{said} " if said else None,
+        findings.verdict(fit),
+        " ",
+        findings.determined(fit),
+        f" {missed}" if missed else None,
+    )
     words = f"A sphere of the fitted material, lit {LIGHTS['three-quarter'].words}"
     return headline(
         (context.spheres["three-quarter"], words), data.name, fit.brdf.in_words(), lead, facts, fit.findings

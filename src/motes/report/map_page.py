@@ -16,6 +16,7 @@ from motes.files import replacing, write_text
 from motes.maps.comparison import quartiles
 from motes.maps.fitted import FittedMap
 from motes.maps.layout import FLAGS, NOT_FITTED, VERDICT_FLAGS, worst
+from motes.measurements.origin import not_measured
 from motes.report.document import document
 from motes.report.figures import color_bar, figure
 from motes.report.findings import percent
@@ -175,6 +176,8 @@ def _page(fitted: FittedMap, strips: list[Strip]) -> str:
         tag("p", tag("code", fitted.model), class_="model"),
         tag("p", ", ".join(w for w in (size, times, how) if w) + ".", class_="lead"),
     ]
+    if said := not_measured({"source": fitted.origin}):
+        parts.append(tag("p", said))
     if not done.all():
         text = f"Only {int(done.sum())} of {done.size} blocks are done; what is missing is grey."
         parts.append(tag("p", tag("strong", text)))

@@ -17,6 +17,7 @@ from motes.files import write_text
 from motes.fitting.result import Fit
 from motes.fitting.time_result import TimeFit
 from motes.material import Material
+from motes.measurements.origin import not_measured
 from motes.report import time_sections
 from motes.report.document import (
     Section,
@@ -195,7 +196,8 @@ def _headline(context: TimeContext) -> Html:
     ]
     alt = f"A sphere of the material at {times.words(context.film_hours[-1])}, lit {LIGHTS['three-quarter'].words}"
     model = f"{fit.brdf.in_words()}, {times.words(times.first)} to {times.words(times.last)}"
-    lead = (verdict(fit, times), " ", changes(fit))
+    said = not_measured(data.provenance)
+    lead = (f"{said} " if said else None, verdict(fit, times), " ", changes(fit))
     return headline((context.spheres["three-quarter"][-1], alt), data.name, model, lead, facts)
 
 

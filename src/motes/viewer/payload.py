@@ -17,6 +17,7 @@ from motes.exports.subject import subject
 from motes.fitting.result import Fit
 from motes.material import Material
 from motes.measurements import Measurement
+from motes.measurements.origin import not_measured
 from motes.models import BRDF
 from motes.trends import Trend
 from motes.version import __version__
@@ -42,6 +43,8 @@ MOST_DIRECTIONS, MOST_NUMBERS = 6000, 600_000
 #: Within so many degrees of the plane of incidence a sample counts as in it: what the polar plot shows.
 PLANE_DEG = 3.0
 MOST_MATERIALS = 2
+#: What a page says of the data behind a material.
+PASSED_ON = ("format", "sample", "name", "source", "simulated")
 
 
 def payload(
@@ -69,13 +72,17 @@ def payload(
         raise ParameterError(f"{len(materials)} materials were given", "A page shows one, or two to compare")
     views = [_material(material, fit if k == 0 else None) for k, material in enumerate(materials)]
     points = None if measurement is None else _points(measurement)
+    origins = [not_measured(material.about.get("data")) for material in materials]
+    if measurement is not None:
+        origins.append(not_measured(measurement.provenance))
+    said = [text for text in dict.fromkeys(origins) if text]
     return {
         "format": "motes view",
         "version": VERSION,
         "motes": __version__,
         "materials": views,
         "measurement": points,
-        "notes": [*notes, *([points["note"]] if points and points["note"] else [])],
+        "notes": [*said, *notes, *([points["note"]] if points and points["note"] else [])],
         "library": library(),
         "models": declared(own=False),
         "shapes": shapes(),
@@ -216,4 +223,9 @@ def _finite(x: Any) -> Any:
 
 def _plain(about: Mapping[str, Any]) -> dict[str, Any]:
     """What is known of a material, without paths of the machine that made it: pages are handed on."""
-    return {key: value for key, value in about.items() if key not in ("path", "data")}
+    data = about.get("data")
+    known = {key: data[key] for key in PASSED_ON if key in data} if isinstance(data, Mapping) else {}
+    return {
+        **{key: value for key, value in about.items() if key not in ("path", "data")},
+        **({"data": known} if known else {}),
+    }
