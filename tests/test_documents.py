@@ -12,11 +12,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-import measurement_files as files
 import motes
 from catalogue import upper_directions
 from motes.ageing import age
-from motes.directions import from_spherical
+from motes.cli.demo_command import simulated_plaster
 from motes.measurements import Measurement
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -31,10 +30,11 @@ def directions(n: int = 60) -> dict[str, Any]:
     return {"wi": upper_directions(n, 1), "wo": upper_directions(n, 2)}
 
 
-def curet(folder: Path) -> dict[str, Any]:
-    angles = files.some_angles(205)
-    wi, wo = (from_spherical(angles[:, k], angles[:, k + 1]) for k in (2, 0))
-    files.curet_folder(folder, {10: list(ROCK.eval(wi, wo)[:, 0])}, angles)
+def demonstration(folder: Path) -> dict[str, Any]:
+    """What the commands of the README leave behind."""
+    simulated_plaster(folder / "out" / "demo" / "plaster")
+    (folder / "plaster").mkdir()
+    age(motes.Material(ROCK), "drying_paint", hours=6).save(folder / "plaster" / "material.json")
     return {}
 
 
@@ -89,7 +89,7 @@ def surface(folder: Path) -> dict[str, Any]:
 
 #: What the blocks of a text need: for each, functions that write files and give names.
 NEEDS: dict[str, list[tuple[Callable[[Path], dict[str, Any]], ...]]] = {
-    "README.md": [(curet, dried, surface)],
+    "README.md": [(demonstration,)],
     "docs/ageing.md": [(dried, surface)],
     "docs/data.md": [()],
     "docs/deposition.md": [(chair,)],
