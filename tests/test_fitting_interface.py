@@ -316,7 +316,7 @@ def test_saved_files_hold_the_same_material(fitted: motes.Fit, tmp_path) -> None
     assert np.array_equal(material.brdf.eval(WI, WO), fitted.brdf.eval(WI, WO))
     assert json.loads((folder / "fit.json").read_text())["model"] == TS
     lines = (folder / "parameters.csv").read_text().splitlines()
-    assert lines[0] == "parameter,channel,value,stderr,unit,verdict"
+    assert lines[0] == "parameter,channel,value,stderr,unit,verdict,source"
     assert float(lines[1].split(",")[2]) == fitted.parameters["K_d"].value[0]
     assert len(lines) == 7
     fitted.save(folder)  # over the old ones

@@ -189,9 +189,12 @@ def _show_trends(result: TimeFit, truth: dict[str, Any] | None, written: list[Ro
 
 def _taken_for(data: Measurement) -> list[Row]:
     """What the columns of a table were taken for, and that simulated data are simulated."""
+    from motes.measurements.origin import not_measured
+
     columns = data.provenance.get("columns")
+    said = not_measured(data.provenance)
     rows = [("columns", "; ".join(map(str, columns)))] if columns else []
-    return [*rows, *([("source", str(data.provenance["source"]))] if data.provenance.get("simulated") else [])]
+    return [*rows, *([("source", said)] if said else [])]
 
 
 def _size(data: Measurement) -> str:
