@@ -10,8 +10,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any, TextIO
 
-from rich.console import Console
-from rich.table import Table
+from rich import table as rich_table
+from rich.console import Console, RenderableType
 
 from motes.cli.options import Common
 
@@ -34,11 +34,26 @@ def clean(text: object) -> str:
     return "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in str(text))
 
 
+class Table(rich_table.Table):
+    """A table whose texts are `clean`."""
+
+    def add_column(self, header: RenderableType = "", *arguments: Any, **options: Any) -> None:
+        super().add_column(_cleaned(header), *arguments, **options)
+
+    def add_row(self, *cells: RenderableType | None, **options: Any) -> None:
+        super().add_row(*(None if c is None else _cleaned(c) for c in cells), **options)
+
+
+def _cleaned(given: RenderableType) -> RenderableType:
+    return "\n".join(map(clean, given.split("\n"))) if isinstance(given, str) else given
+
+
 def print_facts(rows: Sequence[tuple[str, str]]) -> None:
     """Pairs of a label and a text to standard output, the texts aligned, and wrapped to the width of a terminal."""
     indent = max((len(label) for label, _ in rows), default=0) + 2
     room = max(width() - indent, 20) if on_terminal(sys.stdout) else 10**6
     for label, text in rows:
+        label = clean(label)
         for paragraph in text.split("\n"):
             for line in textwrap.wrap(clean(paragraph), room) or [""]:
                 print(f"{label:<{indent}}{line}".rstrip())
@@ -78,7 +93,7 @@ def progress(common: Common, label: str) -> Iterator[Progress | None]:
         bars.TimeElapsedColumn(),
     )
     with bars.Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task(label, total=None)
+        task = bar.add_task(clean(label), total=None)
 
         def step(done: int, total: int, what: str) -> None:
             bar.update(task, completed=done, total=total, description=f"{label}: {clean(what)}")
@@ -111,7 +126,7 @@ def texel_progress(common: Common, label: str) -> Iterator[Progress | None]:
         bars.TimeRemainingColumn(),
     )
     with bars.Progress(*columns, console=Console(stderr=True), transient=True, speed_estimate_period=60) as bar:
-        task = bar.add_task(label, total=None)
+        task = bar.add_task(clean(label), total=None)
         began = False
 
         def step(done: int, total: int, what: str) -> None:

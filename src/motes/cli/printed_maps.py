@@ -36,7 +36,6 @@ def show_fitted(
 ) -> None:
     """Print a fitted map: its summary `s`, quartiles, how far each parameter is from the truth where that is known, what was written."""
     from rich import box
-    from rich.table import Table
 
     from motes.cli import console
     from motes.maps.comparison import quartiles
@@ -58,7 +57,7 @@ def show_fitted(
     ]
     console.print_facts(rows)
     print()
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
+    table = console.Table(box=box.SIMPLE_HEAD, pad_edge=False)
     heads = (
         "map",
         "lower quarter",

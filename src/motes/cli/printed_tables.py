@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from rich import box
-from rich.table import Table
 
-from motes.cli.console import clean
+from motes.cli.console import Table, clean
 from motes.cli.console import width as console_width
 from motes.models import BRDF
 

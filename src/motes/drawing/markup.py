@@ -6,6 +6,8 @@ import html
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from motes.files.inert import without_controls
+
 _EMPTY = {"br", "hr", "img", "meta", "link", "image"}
 
 
@@ -16,10 +18,8 @@ class Html(str):
 
 
 def _characters(text: object) -> str:
-    """The text with characters that a page cannot hold replaced: halves of surrogate pairs (file names that are not UTF-8), and NUL."""
-    return html.escape(
-        str(text).encode("utf-8", "replace").decode("utf-8").replace("\0", "\N{REPLACEMENT CHARACTER}"), quote=True
-    )
+    """The text with characters replaced that a page cannot hold (halves of surrogate pairs, from file names that are not UTF-8) or that act in it."""
+    return html.escape(without_controls(text), quote=True)
 
 
 def escape(text: object) -> Html:

@@ -14,6 +14,7 @@ from motes.directions import from_spherical
 from motes.exports.shaders import plain, source_of_equations
 from motes.exports.subject import Subject
 from motes.files import replacing
+from motes.files.inert import cell
 from motes.material import CONVENTIONS
 
 SUFFIX = ".csv"
@@ -58,7 +59,7 @@ def write(moments: Sequence[tuple[float | None, Subject]], path: Path) -> list[P
         *map(plain, first.notes if len(moments) == 1 else first.origin),
     ]
     with replacing(path) as temporary, open(temporary, "w", encoding="utf-8", newline="\n") as file:
-        file.writelines(f"# {note}\n" for note in notes)
+        file.writelines(f"# {cell(note)}\n" for note in notes)
         file.write(",".join(["theta_i_deg", "phi_i_deg", "theta_r_deg", "phi_r_deg", *(["time_h"] if timed else [])]))
         file.write("".join(f",{name}" for name in headings(first)) + "\n")
         for hours, subject in moments:

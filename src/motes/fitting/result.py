@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import json
 import os
 from collections.abc import Iterator
@@ -16,7 +15,7 @@ from numpy.typing import NDArray
 from motes import outlets
 from motes.arrays import Array
 from motes.errors import MotesError
-from motes.files import replacing, write_text
+from motes.files import write_csv, write_text
 from motes.fitting.formatting import correlations_as_json, finite, with_error
 from motes.fitting.verdicts import Status, Verdict
 from motes.material import Material
@@ -169,8 +168,7 @@ class Result:
             ) from error
         self.material.save(target / "material.json")
         write_text(target / "fit.json", json.dumps(self.to_dict(), indent=1, allow_nan=False) + "\n")
-        with replacing(target / "parameters.csv") as path, path.open("w", newline="", encoding="utf-8") as handle:
-            csv.writer(handle).writerows(self.csv_rows())
+        write_csv(target / "parameters.csv", self.csv_rows())
         return target
 
     def report(self, path: str | os.PathLike[str]) -> Path:

@@ -17,6 +17,7 @@ from motes.drawing.colour import channels_to_srgb, data_uri, png, srgb_encode
 from motes.drawing.markup import Html, join, tag
 from motes.drawing.sphere import LIGHTS, sphere_radiances
 from motes.files import write_text
+from motes.files.inert import without_controls
 from motes.material import Material
 from motes.viewer.contract import Payload
 
@@ -45,8 +46,8 @@ def policy(script: str, style: str) -> str:
 
 
 def safe_json(value: object) -> str:
-    """JSON inside a script element: no ``<`` that could end it, no line separators that old scripts trip over."""
-    text = json.dumps(value, allow_nan=False, separators=(",", ":"), ensure_ascii=True)
+    """JSON inside a script element: no ``<`` that could end it, no line separators that old scripts trip over, no text that runs backwards."""
+    text = without_controls(json.dumps(value, allow_nan=False, separators=(",", ":"), ensure_ascii=False))
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
 
 
