@@ -65,6 +65,17 @@ def paint_map(folder: Path) -> dict[str, Any]:
     return {}
 
 
+def fitted_map(folder: Path) -> dict[str, Any]:
+    from motes.maps import fit_map, simulate_map
+
+    simulate_map(folder / "small.zarr", (9, 8), times=1)
+    return {
+        "fitted": fit_map(
+            folder / "small.zarr", "oren_nayar + torrance_sparrow", out=folder / "fit.zarr", covariance=True
+        )
+    }
+
+
 def own_map(folder: Path) -> dict[str, Any]:
     import xarray
 
@@ -95,7 +106,7 @@ NEEDS: dict[str, list[tuple[Callable[[Path], dict[str, Any]], ...]]] = {
     "docs/deposition.md": [(chair,)],
     "docs/engine.md": [(surface,), (texels,)],
     "docs/exports.md": [(dried,), (surface,)],
-    "docs/maps.md": [(paint_map,), (own_map,)],
+    "docs/maps.md": [(paint_map,), (own_map,), (fitted_map,)],
     "docs/viewer.md": [(fitted,)],
 }
 ELSEWHERE = {
