@@ -68,7 +68,7 @@ def parameters(context: Context) -> Html:
         tag("details", tag("summary", f"Table of {summary}"), table(head, rest)) if rest else None,
         tag(
             "p",
-            "The standard error is one sigma (68 %), from the curvature of the objective at the optimum: it holds for noise that is independent from sample "
+            "The standard error is one sigma (68 %), by the sandwich estimator HC3: it holds for noise of any size that is independent from sample "
             "to sample, not for what the model cannot express.",
             class_="note",
         ),
