@@ -216,7 +216,7 @@ def test_a_terminal_of_another_encoding_gets_its_table(tmp_path: Path, plaster: 
 
 
 def test_an_interrupt_leaves_nothing(tmp_path: Path) -> None:
-    data = simulate(tmp_path / "data", drying_plaster, scans=1, rig=Rig(step_deg=0.05))
+    data = simulate(tmp_path / "data", drying_plaster, scans=4, rig=Rig(step_deg=0.05))
     out = tmp_path / "out"
     process = subprocess.Popen(
         [*MOTES, "fit", str(data), "-o", str(out)],

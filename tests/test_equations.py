@@ -149,6 +149,13 @@ def test_reflectance_at_normal_and_at_grazing_incidence(reflectance, at_normal: 
     assert_allclose(reflectance(np.array([1e-9])), 1.0, rtol=1e-7)
 
 
+@pytest.mark.parametrize(("n", "k"), [(1.5, 0.0), (0.2, 3.9), (1.0, 0.0)])
+def test_the_reflectance_at_normal_incidence_is_that_of_the_conductor(n: float, k: float) -> None:
+    assert_allclose(
+        equations.fresnel_normal(n, k), equations.fresnel_conductor(xp, np.array([1.0]), n, k)[0], atol=1e-14
+    )
+
+
 def test_schlick_is_a_fifth_power() -> None:
     assert_allclose(equations.fresnel_schlick(xp, np.array([0.4]), 0.1), 0.1 + 0.9 * 0.6**5, rtol=1e-15)
 

@@ -66,7 +66,7 @@ def over_a_graph(equation: Equation, rows: Rows) -> Column:
     graph = tracing.Graph()
     leaves = {name: graph.leaf(name) for name in equation.arguments}
     assert namespace(*leaves.values()) is graph
-    output = equation.function(graph, *(leaves[name] for name in equation.arguments))
+    output = equation.evaluate(graph, leaves)
     return tracing.evaluate(NUMPY, [output], {leaf: rows[name] for name, leaf in leaves.items()})[0]
 
 

@@ -84,8 +84,10 @@ def test_geometry_does_not_depend_on_parameters_and_holds_nothing_twice() -> Non
     function = residual_function(DustLayer(OrenNayar() + TorranceSparrow()), ["g", "sigma_s"])
     geometry = function.geometry(WI, WO)
     assert all(column.shape == (len(WI), 1) for column in geometry)
-    texts = [column.tobytes() for column in function.geometry(upper_directions(50, 1), upper_directions(50, 2))]
-    columns = [text for text in texts if len(text) == 50 * 8]
+    found = function.geometry(upper_directions(50, 1), upper_directions(50, 2))
+    # What is 0 carries the NaN of one direction or the other.
+    columns = [column.tobytes() for column in found if column.dtype == float and column.any()]
+    assert len(columns) > 10
     assert len(set(columns)) == len(columns)
     assert "arcsin" in function.source.split("def values(")[0]
     assert "arcsin(" not in function.source.split("def values(")[1], "angles depend on directions alone"

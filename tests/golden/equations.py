@@ -10,15 +10,17 @@ from motes import equations
 
 
 class Equation(NamedTuple):
-    """A function, its arguments by column, and the column of its value; None where the table has none."""
+    """A function, its arguments by column, the column of its value (None where the table has none), and whether it wants a namespace."""
 
     function: Callable[..., Any]
     arguments: tuple[str, ...]
     column: str | None
+    over: bool = True
 
     def evaluate(self, xp: Any, rows: Rows, convert: Callable[[Any], Any] = lambda x: x) -> Any:
         """The value over the namespace `xp`, of columns that `convert` turns into its arrays."""
-        return self.function(xp, *(convert(rows[name]) for name in self.arguments))
+        namespace = (xp,) if self.over else ()  # plain arithmetic needs none
+        return self.function(*namespace, *(convert(rows[name]) for name in self.arguments))
 
 
 EQUATIONS = {
@@ -45,6 +47,7 @@ EQUATIONS = {
         # What the appendices leave to their readers; test_equations.py says what these must be.
         Equation(equations.fresnel_dielectric, ("cos_theta_d", "n"), None),
         Equation(equations.fresnel_conductor, ("cos_theta_d", "n", "sigma_s"), None),
+        Equation(equations.fresnel_normal, ("cos_theta_d", "sigma_s"), None, over=False),
         Equation(equations.fresnel_schlick, ("cos_theta_d", "w"), None),
         Equation(equations.dust_brdf, ("Phi", "cos_theta_i", "cos_theta_r", "w"), None),
         Equation(equations.slant_depth, ("cos_theta_i", "cos_theta_r", "sigma_s"), None),

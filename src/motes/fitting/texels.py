@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from motes.errors import DataError
+from motes.errors import DataError, MotesError
 from motes.fitting.losses import ROBUST, Floats, Robust
 from motes.fitting.printed.driver import NO_VERDICT
 from motes.fitting.printed.module import MOST_COEFFICIENTS
@@ -127,6 +127,13 @@ class TexelSolver(TexelSetup):
         points = self.coordinates(points)
         np.clip(points, self.facts.low[:, 0], self.facts.high[:, 0], out=points)
         if not self.compiled:
+            if self.robust.name != "none" or covariance:
+                what = f"robust={self.robust.name}" if self.robust.name != "none" else "covariance"
+                why = f"these fits have {self.size} coefficients a texel, and it takes {MOST_COEFFICIENTS} at most"
+                raise MotesError(
+                    f"{what} needs a compiled kernel: {why if engine.available() else 'Numba cannot be used here'}",
+                    "Hold parameters, choose simpler trends, or leave it out",
+                )
             return self.finished(fit_slowly(self, data, points, own_starts))
         noise = None
         robust = self.robust.name != "none"
