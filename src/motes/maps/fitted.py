@@ -194,7 +194,7 @@ class FittedMap:
             When they were not kept.
         """
         if "covariance" not in self.group:
-            raise MotesError(f"{self.path} holds no covariances", "Fit the map with covariance=True, or --covariance")
+            raise MotesError(f"{self.path} holds no covariances", "Fit the map with --covariance")
         packed, size = self.read_map("covariance", where).astype(float), len(self.labels)
         rows, columns = np.tril_indices(size)
         full = np.empty((*packed.shape[:-1], size, size))

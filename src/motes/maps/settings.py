@@ -201,7 +201,7 @@ def _check_times(stack: MapStack, time: int | None, trends: Mapping[str, str] | 
     if isinstance(trends, str):
         raise DataError(
             f"trends = {trends!r}: the kinds of trends are not chosen for maps",
-            'Name them, such as trends={"K_s": "exponential"}; motes.fit chooses them for one texel',
+            "Name them, such as --trend K_s=exponential (trends of Python takes a mapping); a fit of one texel chooses them",
         )
     if time is not None or n < 2:
         raise DataError(
@@ -224,7 +224,7 @@ def _checked_model(
         if fixed and not isinstance(fixed, Mapping):
             raise MotesError(
                 f"{', '.join(fixed)} is held without a value, and the model is to be chosen",
-                "Give values: fixed={name: value}",
+                "Give each a value: --fix NAME=VALUE, a mapping in Python",
             )
         check_names((*fixed, *per_channel, *trends))
         return "auto", dict(fixed) if isinstance(fixed, Mapping) else {}
