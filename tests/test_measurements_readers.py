@@ -379,6 +379,32 @@ def test_mbsdf_bad_headers(tmp_path: Path, sizes: tuple[int, int, int], message:
         read(tmp_path / "b.mbsdf")
 
 
+def test_mbsdf_with_the_older_header_and_with_a_transmission(tmp_path: Path) -> None:
+    """MBSDF_DATA= is a reflection; what the file holds besides, before or behind the table, is said."""
+    good = files.mbsdf_bytes()
+    plain = tmp_path / "plain.mbsdf"
+    plain.write_bytes(good)
+    older = good.replace(b"MBSDF_DATA_REFLECTION=", b"MBSDF_DATA=")
+    transmission = b"MBSDF_DATA_TRANSMISSION=\n" + struct.pack("<3i", 0, 2, 2) + np.zeros(8, "<f4").tobytes()
+    before = good.replace(b"V1\n", b"V1\n" + transmission)
+    for name, data, told in (
+        ("older", older, False),
+        ("both", good + transmission, True),
+        ("older-both", older + transmission, True),
+        ("before", before, True),
+        ("spaced", good + b"\n" + transmission, True),
+    ):
+        path = tmp_path / f"{name}.mbsdf"
+        path.write_bytes(data)
+        m = read(path)
+        np.testing.assert_array_equal(m.values, read(plain).values)
+        assert any("transmission" in note for note in m.provenance["notes"]) == told, name
+    alone = tmp_path / "alone.mbsdf"
+    alone.write_bytes(b"NVIDIA ARC MBSDF V1\n" + transmission)
+    with pytest.raises(FormatError, match="neither MBSDF_DATA_REFLECTION= nor MBSDF_DATA="):
+        read(alone)
+
+
 def test_mbsdf_real(shared_file):
     m = read(shared_file("mbsdf/carpaint_blue.mbsdf"))
     assert (m.n_directions, m.channels) == (45 * 45 * 90, ("R", "G", "B"))

@@ -1,7 +1,7 @@
 """MBSDF (NVIDIA's MDL SDK): isotropic tables of reflection in even bins of theta_i, theta_r and the azimuth between
 them.
 
-``NVIDIA ARC MBSDF V1``, lines of text, ``MBSDF_DATA_REFLECTION=``; int32 type (0 scalar, 1 RGB), n_theta, n_phi;
+``NVIDIA ARC MBSDF V1``, lines of text, ``MBSDF_DATA_REFLECTION=`` (older files: ``MBSDF_DATA=``); int32 type (0 scalar, 1 RGB), n_theta, n_phi;
 float32 [theta_in][theta_out][phi][channel].  theta spans [0, pi/2] and phi [0, pi], whose last bin is the specular
 side.  Bins are read at their centres. The values obey reciprocity as they are (no cosine in them); small negative ones,
 of colours outside the gamut, are data like others.
@@ -23,7 +23,7 @@ from motes.measurements.measurement import Measurement
 NAME = "mbsdf"
 SOURCE = "in the layout of measured BSDFs of NVIDIA's Material Definition Language SDK"
 MAGIC = b"NVIDIA ARC MBSDF"
-REFLECTION, TRANSMISSION = b"MBSDF_DATA_REFLECTION=\n", b"MBSDF_DATA_TRANSMISSION="
+REFLECTIONS, TRANSMISSION = (b"MBSDF_DATA_REFLECTION=\n", b"MBSDF_DATA=\n"), b"MBSDF_DATA_TRANSMISSION="
 HEADER = 65536  # the text before the table; metadata of a few lines
 
 
@@ -39,13 +39,13 @@ def read_mbsdf(path: Path) -> Measurement:
         f"{path} starts with {header[:16]!r}, not {MAGIC.decode()!r}",
         "This is not an MBSDF file",
     )
-    start = header.find(REFLECTION)
+    starts = [(at, at + len(name)) for name in REFLECTIONS if (at := header.find(name)) >= 0]
     reading.require(
-        start >= 0,
-        f"{path} has no {REFLECTION.decode().strip()} in its first {HEADER:,} bytes",
+        bool(starts),
+        f"{path} has neither {' nor '.join(name.decode().strip() for name in REFLECTIONS)} in its first {HEADER:,} bytes",
         "Only reflection is read",
     )
-    start += len(REFLECTION)
+    first, start = min(starts)
     reading.require(
         len(header) >= start + 12,
         f"{path} is truncated at byte {len(header)}, before the sizes of its table",
@@ -75,7 +75,7 @@ def read_mbsdf(path: Path) -> Measurement:
         notes.append(
             f"The last {copies} of {n_theta} angles of incidence repeat the one before them: filled in, not measured"
         )
-    if TRANSMISSION in header[:start]:
+    if TRANSMISSION in header[:first] or _after(path, start + 12 + table.nbytes).startswith(TRANSMISSION):
         notes.append("The file holds a transmission too, which is not read")
     return Measurement.from_arrays(
         directions.from_spherical(theta_i.reshape(-1), 0.0),
@@ -84,6 +84,13 @@ def read_mbsdf(path: Path) -> Measurement:
         weights=weights.reshape(-1),
         provenance={"format": NAME, "path": str(path), "name": path.stem, "source": SOURCE, "notes": notes},
     )
+
+
+def _after(path: Path, offset: int) -> bytes:
+    """What begins behind the table, without blank space."""
+    with path.open("rb") as file:
+        file.seek(offset)
+        return file.read(256).lstrip()
 
 
 def _copies(slabs: np.ndarray) -> int:
