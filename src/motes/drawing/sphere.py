@@ -15,6 +15,8 @@ from motes.models import BRDF
 
 # Directions evaluated at a time: the arrays of a pass stay in the cache, and far below the size at which kernels are compiled.
 CHUNK = 1 << 13
+# Values (directions x channels) of a picture at a time, where there are many channels.
+AT_ONCE = 1 << 21
 
 
 class Light(NamedTuple):
@@ -88,9 +90,18 @@ def sphere_radiance(
 
 
 def sphere_radiances(
-    brdf: BRDF, size: int, lights: Sequence[str | Sequence[float]], *, dome: float = 0.15, samples: int = 1
+    brdf: BRDF,
+    size: int,
+    lights: Sequence[str | Sequence[float]],
+    *,
+    dome: float = 0.15,
+    samples: int = 1,
+    colours: Floats | None = None,
 ) -> tuple[list[Floats], Floats]:
-    """`sphere_radiance` under several lights, sharing what they have in common: a list of radiances, and the coverage."""
+    """`sphere_radiance` under several lights, sharing what they have in common: a list of radiances, and the coverage.
+
+    `colours` (C, K) makes K numbers of a radiance's channels at once: pictures of thousands of wavelengths need no room for each.
+    """
     n = size * samples
     # float32: a picture has eight bits, and half the memory traffic is half the time.
     axis = (((np.arange(n) + 0.5) / n * 2 - 1) * size / (size - 2)).astype(np.float32)
@@ -106,7 +117,7 @@ def sphere_radiances(
     x, y = x[inside] * shrink, y[inside] * shrink
     x[(x == 0) & (y == 0)] = 1e-4  # azimuth needs a side, also in the middle
     normal = np.stack([x, y, np.sqrt(1 - x * x - y * y)], -1)
-    under_dome = dome * _seen_under_dome(brdf, normal[:, 2]) if dome else np.float32(0)
+    under_dome = dome * _seen_under_dome(brdf, normal[:, 2], colours) if dome else np.float32(0)
 
     def pixels(values: Floats) -> Floats:
         """Sums over the squares of each pixel."""
@@ -118,12 +129,12 @@ def sphere_radiances(
     radiances: list[Floats] = []
     for light in lights:
         towards = np.asarray(LIGHTS[light].direction if isinstance(light, str) else light, np.float32)
-        lamp = np.float32(1 - dome) * _lit(brdf, normal, towards / np.linalg.norm(towards))
+        lamp = np.float32(1 - dome) * _lit(brdf, normal, towards / np.linalg.norm(towards), colours)
         radiances.append(pixels((lamp + under_dome) * part) / np.maximum(covered, 1e-6))
     return radiances, covered[..., 0] / samples**2
 
 
-def _lit(brdf: BRDF, normal: Floats, towards: Floats) -> Floats:
+def _lit(brdf: BRDF, normal: Floats, towards: Floats, colours: Floats | None) -> Floats:
     """Radiance (n, C) towards the camera under a lamp that makes a white diffuser facing it 1: pi f cos(theta_i)."""
     cos_i = normal @ towards
     lit = np.flatnonzero(cos_i > 0)
@@ -133,12 +144,16 @@ def _lit(brdf: BRDF, normal: Floats, towards: Floats) -> Floats:
     # The local frame: the camera's direction projected onto the surface, its cross product with the normal, and the normal.
     wi = np.stack([(towards[2] - cos_r * cos_i) / sin_r, (y * towards[0] - x * towards[1]) / sin_r, cos_i], -1)
     wo = np.stack([sin_r, np.zeros_like(sin_r), cos_r], -1)
-    value = np.zeros((len(normal), brdf.channels), np.float32)
-    value[lit] = np.float32(np.pi) * evaluate(brdf, wi, wo) * cos_i[:, None]
+    value = np.zeros((len(normal), brdf.channels if colours is None else colours.shape[1]), np.float32)
+    step = max(256, AT_ONCE // brdf.channels)
+    for k in range(0, len(lit), step):
+        part = slice(k, k + step)
+        seen = np.float32(np.pi) * evaluate(brdf, wi[part], wo[part]) * cos_i[part, None]
+        value[lit[part]] = seen if colours is None else seen @ colours
     return value
 
 
-def _seen_under_dome(brdf: BRDF, cos_theta_r: Floats) -> Floats:
+def _seen_under_dome(brdf: BRDF, cos_theta_r: Floats, colours: Floats | None) -> Floats:
     """Radiance (n, C) towards polar angles under uniform unit radiance: for a reciprocal BRDF its directional albedo, interpolated."""
     theta = np.linspace(0, np.deg2rad(89), 24)
     w = directions.from_spherical(theta, 0.0)
@@ -148,6 +163,7 @@ def _seen_under_dome(brdf: BRDF, cos_theta_r: Floats) -> Floats:
         u, v = np.meshgrid((np.arange(48) + 0.5) / 48, (np.arange(48) + 0.5) / 48)
         wi = directions.from_spherical(np.arcsin(np.sqrt(u.ravel())), 2 * np.pi * v.ravel())
         albedo = np.stack([np.pi * evaluate(brdf, wi, np.broadcast_to(wo, wi.shape)).mean(0) for wo in w])
+    albedo = albedo if colours is None else albedo @ colours
     theta_r = np.arccos(np.clip(cos_theta_r, 0, 1))
     return np.stack([np.interp(theta_r, theta, albedo[:, c]) for c in range(albedo.shape[-1])], -1).astype(np.float32)
 

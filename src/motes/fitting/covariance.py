@@ -120,6 +120,9 @@ def loose(
     """
     found = []
     for k in range(len(gradient)):
+        if not np.any(bounded[k]):
+            found.append(bounded[k])
+            continue
         unit = 0.0 * gradient
         unit[k] = unit[k] + 1.0
         firm = pushed_out(algebra, unit, gradient, matrix[k], inverse, middle, free)

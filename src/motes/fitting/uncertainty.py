@@ -122,7 +122,8 @@ def uncertainty(objective: Objective, x: Floats) -> Uncertainty:
         noise = steps.noise_of(ARRAYS, matrix, middle, free)
         bounded = np.maximum(stand.at_low, stand.at_high)
         loose = steps.loose(ARRAYS, gradient, matrix, inverse.matrix, middle, free, bounded)
-        wider = steps.inverted(ARRAYS, matrix, np.maximum(free, loose))
+        none = steps.Inverse(inverse.matrix, 0.0 * blurred)
+        wider = steps.inverted(ARRAYS, matrix, np.maximum(free, loose)) if loose.any() else none
         errors = steps.errors(ARRAYS, covariance, wider, noise, stand, blurred, columns, loose)
         value = steps.own_value(ARRAYS, point, columns.squared)
         stderr = np.where(errors.known > 0, steps.own_error(ARRAYS, point, errors.stderr, columns.squared), np.nan)

@@ -119,8 +119,8 @@ def _headline(context: Context) -> Html:
 def _spheres(fit: Fit) -> tuple[dict[str, str], str]:
     """Pictures under each light as data addresses, and how they were made."""
     color = colours_of(fit.material, fit.brdf.channels)
-    radiances, coverage = sphere_radiances(fit.brdf, SPHERE_SIZE, list(LIGHTS))
-    linear = dict(zip(LIGHTS, (r @ color.matrix for r in radiances), strict=True))
+    radiances, coverage = sphere_radiances(fit.brdf, SPHERE_SIZE, list(LIGHTS), colours=color.matrix)
+    linear = dict(zip(LIGHTS, radiances, strict=True))
     stops = stops_for(float(np.median(linear["front"][coverage == 1].max(-1))), 0.5)
     words = (
         "One distant lamp (85 % of the light on a surface that faces it) and a uniform white dome (15 %), orthographic camera, no other reflections. "
