@@ -138,10 +138,10 @@ def test_losses_and_robust_functions_are_passed_on(motes: Run, rock: Path) -> No
 
 
 def test_fit_says_when_it_did_not_converge(motes: Run, rock: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from motes.fitting import problem
+    from motes.fitting import objective
 
-    real = problem.minimize
-    monkeypatch.setattr(problem, "minimize", lambda *a, **k: real(*a, **{**k, "max_iterations": 1}))
+    real = objective.minimize
+    monkeypatch.setattr(objective, "minimize", lambda *a, **k: real(*a, **{**k, "max_iterations": 1}))
     status, out, err = motes(
         "fit", rock, "--time", 1, "-m", "oren_nayar + torrance_sparrow", "--no-report", "-o", "out"
     )
@@ -347,10 +347,10 @@ def test_scans_without_a_usable_sample_are_an_error(motes: Run, greying: Path) -
 
 
 def test_trends_that_did_not_converge_are_marked(motes: Run, greying: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from motes.fitting import joint
+    from motes.fitting import objective
 
-    real = joint.minimize
-    monkeypatch.setattr(joint, "minimize", lambda *a, **k: real(*a, **{**k, "max_iterations": 0}))
+    real = objective.minimize
+    monkeypatch.setattr(objective, "minimize", lambda *a, **k: real(*a, **{**k, "max_iterations": 0}))
     status, _, err = motes("fit", greying, "-m", "oren_nayar", "-o", "out")
     assert status == 1
     assert err.startswith("warning: the fit did not converge")

@@ -23,7 +23,7 @@ from motes.errors import DataError, MotesError
 from motes.fitting.joint import Joint, Part
 from motes.fitting.result import Fit
 from motes.fitting.scans import fit_scans, single
-from motes.fitting.setup import prepare
+from motes.fitting.setup import Wishes, prepare
 from motes.fitting.time_result import TimeFit
 from motes.fitting.trend_choice import CANDIDATE_KINDS, Profile, determined, survey
 from motes.fitting.uncertainty import uncertainty
@@ -196,7 +196,7 @@ def test_a_folder_of_the_rig_is_fitted(tmp_path: Path) -> None:
 
 def wild_joint() -> tuple[Joint, np.ndarray]:
     """Every nonlinear kind at once, away from the minimum."""
-    problem = prepare(series(TRUTH.at), MODEL, "linear", "measurement", (), frozenset()).problem
+    problem = prepare(series(TRUTH.at), MODEL, Wishes("linear", "none", "measurement", (), ())).problem
     chosen = {"K_d": "logistic", "sigma_d": "cubic", "K_s": "exponential", "sigma_s": "monotone_spline"}
     parts = tuple(Part(q, chosen[q.name], (0.0, LAST)) for q in problem.quantities)
     c = [0.3, 0.2, 0.15, 0.6, 0.5, 0.4, 1.7, 0.6, 0.3, 0.25, 0.35, 0.3, 0.45, 0.12, 1.2, 0.14, 0.2, 0.3, 0.2, 0.6]
@@ -263,7 +263,7 @@ def test_the_minimum_is_that_of_scipy() -> None:
 def test_the_covariance_is_the_sandwich() -> None:
     """Against the sandwich from a dense Jacobian by finite differences."""
     fit = painted(0)
-    problem = prepare(fit.measurement, MODEL, "linear", "measurement", (), frozenset()).problem
+    problem = prepare(fit.measurement, MODEL, Wishes("linear", "none", "measurement", (), ())).problem
     parts = tuple(Part(q, TRUE_KINDS[q.name], (0.0, LAST)) for q in problem.quantities)
     joint = Joint(problem, UNEVEN, np.arange(8), parts)
     c = np.concatenate(
@@ -557,7 +557,7 @@ def test_scans_fitted_together_are_those_fitted_alone() -> None:
 
 
 def test_some_scans_of_the_fits() -> None:
-    problem = prepare(series(TRUTH.at), MODEL, "linear", "measurement", (), frozenset()).problem
+    problem = prepare(series(TRUTH.at), MODEL, Wishes("linear", "none", "measurement", (), ())).problem
     fits = fit_scans(problem, np.array([0, 3, 5]))
     some = fits.select(np.array([0, 2]))
     assert_array_equal(some.x, fits.x[[0, 2]])

@@ -7,7 +7,9 @@ import pytest
 
 import motes
 from fitting_oracle import scattered
-from motes.fitting import Fit
+from motes.errors import DataError
+from motes.fitting import Fit, Verdict
+from motes.fitting.metrics import deviation
 from motes.measurements import Measurement
 
 TS = "oren_nayar + torrance_sparrow"
@@ -71,3 +73,41 @@ def test_a_scale_that_all_samples_share_moves_what_is_proportional_to_it() -> No
     expected = np.sqrt(flat(alone, "stderr") ** 2 + move**2)
     np.testing.assert_allclose(flat(shared, "stderr"), expected, rtol=0.1)
     assert K_d.stderr[0] / K_d.value[0] == pytest.approx(0.02, rel=0.2)
+
+
+def test_the_deviation_of_noise_hardly_moves_with_what_is_far_off() -> None:
+    rng = np.random.default_rng(4)
+    noise = 0.3 * rng.standard_normal((3, 4001))
+    far = noise.copy()
+    far[:, :200] = 50.0
+    far[1, 300:500] = np.nan
+    np.testing.assert_allclose(deviation(noise), 0.3, rtol=0.05)
+    np.testing.assert_allclose(deviation(far), 0.3, rtol=0.15)
+    assert float(deviation(noise[0])) == deviation(noise)[0]
+    assert deviation(np.full((2, 5), np.nan)).tolist() == [1e-12, 1e-12]
+
+
+def test_a_loss_without_a_value_is_refused() -> None:
+    values = TRUE + 3.0 * np.random.default_rng(2).standard_normal(TRUE.shape)  # some 1 + f cos theta_i below 0
+    data = Measurement.from_arrays(WI, WO, values)
+    lost = int(np.count_nonzero((1 + data.values[0] * WI[:, 2:3] <= 0) & data.mask[0]))
+    assert lost > 5
+    with pytest.raises(DataError, match=rf"loss log has no value at {lost} sample"):
+        motes.fit(data, TS, loss="log")
+    fit = motes.fit(data, TS, loss="cube_root")
+    assert np.isnan(fit.metrics["rms_log"])
+    assert fit.to_dict()["metrics"]["rms_log"] is None
+
+
+def test_a_common_uncertainty_counts_beside_a_bound_that_is_loose() -> None:
+    """A Lambertian surface: noise puts sigma_d at 0 half of the time; K_d has the error of the scale all the same."""
+    flat_ = motes.Lambert(K_d=0.5).eval(WI, WO) * np.ones((1, 1))
+    bounded = 0
+    for seed in range(12):
+        values = flat_ * (1 + 0.02 * np.random.default_rng(seed).standard_normal(flat_.shape))
+        alone = motes.fit(Measurement.from_arrays(WI, WO, values), "oren_nayar").parameters
+        shared = motes.fit(Measurement.from_arrays(WI, WO, values, common_uncertainty=0.05), "oren_nayar").parameters
+        bounded += alone["sigma_d"].verdict == Verdict.AT_LOWER
+        wider = np.hypot(alone["K_d"].stderr, 0.05 * alone["K_d"].value)
+        assert shared["K_d"].stderr == pytest.approx(wider, rel=0.05)
+    assert bounded >= 3

@@ -69,6 +69,14 @@ def outer(vector: Array) -> Array:
     return vector[:, None] * vector[None, :]
 
 
+def with_diagonal(matrix: Array, diagonal: Array) -> Array:
+    """A copy of the matrix with another diagonal."""
+    result = matrix.copy()
+    for k in range(len(result)):
+        result[k, k] = diagonal[k]
+    return result
+
+
 class Arrays:
     """The algebra of NumPy arrays; LAPACK solves."""
 

@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from motes.arrays import Array
-from motes.fitting.algebra import Algebra, absolute, flag, outer
+from motes.fitting.algebra import Algebra, absolute, flag, outer, with_diagonal
 from motes.fitting.columns import Columns
 from motes.fitting.verdicts import Verdict
 
@@ -88,10 +88,7 @@ def alike(algebra: Algebra, objective: Array, trial: Array) -> Array:
 def correlation(algebra: Algebra, matrix: Array, among: Array) -> tuple[Array, Array]:
     """The matrix scaled to a diagonal of 1 among some parameters, rows of the unit matrix elsewhere; and the scale (P, B)."""
     scale = among / algebra.sqrt(algebra.maximum(algebra.diagonal(matrix), 1e-300))
-    scaled = matrix * outer(scale)
-    for k in range(len(scaled)):
-        scaled[k, k] = 0.0 * scale[k] + 1.0
-    return scaled, scale
+    return with_diagonal(matrix * outer(scale), 0.0 * scale + 1.0), scale
 
 
 def inverted(algebra: Algebra, matrix: Array, among: Array) -> Inverse:

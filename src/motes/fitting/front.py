@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Collection, Mapping
 from typing import Any
 
 import numpy as np
@@ -13,14 +13,12 @@ from motes.directions import HALF_PI
 from motes.errors import DataError
 from motes.fitting.losses import loss_named, robust_named
 from motes.fitting.over_time import fit_over_time
-from motes.fitting.result import Fit
-from motes.fitting.setup import uncertainties_of
+from motes.fitting.result import Fit, Progress
+from motes.fitting.setup import Wishes, uncertainties_of
 from motes.fitting.static import fit_scan
 from motes.fitting.time_result import TimeFit
 from motes.measurements import Measurement
 from motes.models import BRDF
-
-Progress = Callable[[int, int, str], None]
 
 
 def fit(
@@ -110,25 +108,7 @@ def fit(
     # One name is a name, not its letters.
     fixed = (fixed,) if isinstance(fixed, str) else fixed
     per_channel = (per_channel,) if isinstance(per_channel, str) else per_channel
+    wishes = Wishes(loss, robust, weights, fixed, per_channel)
     if data.n_times > 1:
-        return fit_over_time(
-            data,
-            model,
-            loss=loss,
-            robust=robust,
-            weights=weights,
-            fixed=fixed,
-            per_channel=per_channel,
-            trends=trends,
-            progress=progress,
-        )
-    return fit_scan(
-        data,
-        model,
-        loss=loss,
-        robust=robust,
-        weights=weights,
-        fixed=fixed,
-        per_channel=per_channel,
-        progress=progress,
-    )
+        return fit_over_time(data, model, wishes, trends, progress)
+    return fit_scan(data, model, wishes, progress)

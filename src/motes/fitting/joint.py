@@ -7,7 +7,9 @@ sum_t (dQ_t/dc)' g_t and the matrix sum_t (dQ_t/dc)' H_t (dQ_t/dc).  So one solv
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import product
 
 import numpy as np
@@ -16,8 +18,9 @@ from numpy.typing import NDArray
 from motes.fitting.choice import bic
 from motes.fitting.columns import Columns, columns_of
 from motes.fitting.losses import Floats
+from motes.fitting.objective import Objective
 from motes.fitting.problem import Problem, Quantity
-from motes.fitting.solver import Normal, Solution, minimize
+from motes.fitting.solver import Normal
 from motes.parameters import Parameter
 from motes.trends import KINDS, Trend, evaluate
 
@@ -88,6 +91,7 @@ class Part:
             return value * value, 2 * value[..., None] * jacobian
         return value, jacobian
 
+    @property
     def bounds(self) -> tuple[Floats, Floats]:
         """Of the flat coefficients: the parameter's for values, parts of the duration for times."""
         first, last = self.interval
@@ -151,7 +155,7 @@ class Part:
 
 
 @dataclass(frozen=True)
-class Joint:
+class Joint(Objective):
     """All scans with a kind of trend for each parameter.
 
     ``hours`` (T,) are the times of the data sets of `problem`; ``scans`` those that take part.  ``inflation`` has a
@@ -173,10 +177,6 @@ class Joint:
         stops = np.cumsum([p.size for p in self.parts]).tolist()
         return [slice(stop - p.size, stop) for stop, p in zip(stops, self.parts, strict=True)]
 
-    def bounds(self) -> tuple[Floats, Floats]:
-        both = [p.bounds() for p in self.parts]
-        return np.concatenate([b[0] for b in both]), np.concatenate([b[1] for b in both])
-
     def vectors(self, c: Floats) -> tuple[Floats, Floats]:
         """The BRDF parameters (T, P) of every scan that takes part, and their derivatives (T, P, K)."""
         hours = self.hours[self.scans]
@@ -187,31 +187,18 @@ class Joint:
             x[:, part.quantity.where], jacobian[:, part.quantity.where, where] = value[0], slopes[0]
         return x, jacobian
 
-    @property
+    @cached_property
     def columns(self) -> Columns:
-        """What is known of the coefficients beforehand."""
-        squared = [part.squared for part in self.parts for _ in range(part.size)]
-        declared = [p for part in self.parts for p in part.declared]
-        return columns_of(declared, *self.bounds(), squared=squared)
+        return columns_for(self.parts)
 
     @property
     def groups(self) -> list[slice]:
-        """The coefficients that are values of one parameter for its channels, those of each kind together."""
-        found = []
-        for part, where in zip(self.parts, self.slices(), strict=True):
-            start = where.start
-            for coefficient in KINDS[part.kind].coefficients:
-                count = 1 if coefficient.bounds else part.width
-                if coefficient.bounds is None and part.kind == "constant":
-                    found.append(slice(start, start + count))
-                start += count
-        return found
+        return groups_for(self.parts)
 
     def brightness(self) -> Floats:
-        """The weighted sum of squares of the data of each scan (T,)."""
-        return self.problem.brightness(self.scans)
+        return self.problem.brightness()[self.scans]
 
-    def normal(self, batch: Floats) -> Normal:
+    def normal(self, batch: Floats, sets: NDArray[np.intp] | None = None) -> Normal:
         """Objectives and normal equations for coefficient vectors (B, K)."""
         results = []
         for c in batch:
@@ -220,28 +207,6 @@ class Joint:
             gradient = np.einsum("tpk,tp->k", jacobian, scan.gradient)
             results.append((scan.objective.sum(), gradient, _chained(jacobian, scan.matrix)))
         return Normal(*(np.array(part) for part in zip(*results, strict=True)))
-
-    def solve(
-        self,
-        starts: Floats,
-        *,
-        held: NDArray[np.bool_] | None = None,
-        reduction: float = 1e-10,
-        max_iterations: int = 200,
-    ) -> Solution:
-        """Minimise from each of `starts` (B, K)."""
-        low, high = self.bounds()
-        bright = float(self.brightness().sum())
-        return minimize(
-            self.normal,
-            starts,
-            low,
-            high,
-            held=held,
-            brightness=bright,
-            reduction=reduction,
-            max_iterations=max_iterations,
-        )
 
     @property
     def samples(self) -> int:
@@ -259,7 +224,7 @@ class Joint:
         return _chained(jacobian, np.stack(scans))
 
     @property
-    def common(self) -> float:
+    def common(self) -> float:  # type: ignore[override]  # a field there
         return self.problem.common
 
     def pull(self, c: Floats) -> Floats:
@@ -276,6 +241,19 @@ class Joint:
             own = jacobian[k] @ inverse @ jacobian[k].T
             middles.append(self.problem.spread(x[k], own, np.array([t])))
         return _chained(jacobian, np.stack(middles))
+
+
+def columns_for(parts: Sequence[Part]) -> Columns:
+    """What is known of the coefficients of trends beforehand."""
+    low, high = (np.concatenate([part.bounds[k] for part in parts]) for k in (0, 1))
+    squared = [part.squared for part in parts for _ in range(part.size)]
+    return columns_of([p for part in parts for p in part.declared], low, high, squared=squared)
+
+
+def groups_for(parts: Sequence[Part]) -> list[slice]:
+    """The coefficients of each parameter that is constant: its channels.  What changes may be absent for a while only."""
+    stops = np.cumsum([part.size for part in parts]).tolist()
+    return [slice(stop - p.size, stop) for stop, p in zip(stops, parts, strict=True) if p.kind == "constant"]
 
 
 def _chained(jacobian: Floats, matrices: Floats) -> Floats:

@@ -15,7 +15,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from motes.arrays import Array
-from motes.fitting.algebra import Algebra, absolute, flag, outer
+from motes.fitting.algebra import Algebra, absolute, flag, outer, with_diagonal
 from motes.fitting.verdicts import Status
 
 FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 1e-3, 1e-10, 1e12
@@ -111,7 +111,7 @@ def bounded_step(
     scale = 1.0 / algebra.sqrt(algebra.maximum(diagonal, floor))
     free = 1.0 - stopped
     against = gradient + algebra.times(matrix, stopped * given)
-    scaled = _with_diagonal(algebra, matrix * outer(scale * free), 1.0 + free * damping)
+    scaled = with_diagonal(matrix * outer(scale * free), 1.0 + free * damping)
     solved = algebra.solve(scaled, -(against * scale * free)) * scale
     wanted = algebra.where(algebra.less(0.5 + 0.0 * stopped, stopped), given, solved)
     within = algebra.minimum(algebra.maximum(wanted, low - x), high - x)
@@ -119,14 +119,6 @@ def bounded_step(
         flag(algebra, algebra.less(within, wanted)), flag(algebra, algebra.less(wanted, within))
     )
     return Step(within, stopped + leaves, algebra.total(leaves))
-
-
-def _with_diagonal(algebra: Algebra, matrix: Array, diagonal: Array) -> Array:
-    """The matrix with another diagonal."""
-    result = matrix.copy()
-    for k in range(len(result)):
-        result[k, k] = diagonal[k]
-    return result
 
 
 def proposal(

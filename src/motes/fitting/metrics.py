@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from motes.fitting.losses import LOSSES, Floats
+
+# The median of the size of normal noise is its standard deviation over this.
+MEDIAN_TO_DEVIATION = 1.4826
 
 
 def rms(x: Floats) -> float:
@@ -20,11 +25,27 @@ def relative_rms(fitted: Floats, measured: Floats) -> float:
 
 
 def distances(fitted: Floats, measured: Floats, cosines: Floats) -> dict[str, float]:
-    """The relative RMS, and the root mean square of the residuals of each loss, over samples (n,) that are not masked."""
+    """The relative RMS, and the root mean square of the residuals of each loss, over samples (n,) that are not masked.
+
+    NaN for a loss that has no value at a sample: the logarithm of large negative noise.
+    """
     found = {"relative_rms": relative_rms(fitted, measured)}
-    for name, loss in LOSSES.items():
-        found[f"rms_{name}"] = rms(loss.transform(fitted, cosines) - loss.transform(measured, cosines))
+    with np.errstate(invalid="ignore", divide="ignore"):
+        for name, loss in LOSSES.items():
+            found[f"rms_{name}"] = rms(loss.transform(fitted, cosines) - loss.transform(measured, cosines))
     return found
+
+
+def deviation(residuals: NDArray[np.floating[Any]]) -> Floats:
+    """The standard deviation of normal noise, by the median distance from the median, over the last axis; NaN counts for nothing.
+
+    What is far off hardly moves it: the scale of robust functions.  At least 1e-12, since they divide by it.
+    """
+    measured = np.isfinite(residuals).any(axis=-1)  # the median of nothing is a warning
+    middle = np.nanmedian(residuals[measured], axis=-1, keepdims=True)
+    spread = np.zeros(residuals.shape[:-1])
+    spread[measured] = np.nanmedian(np.abs(residuals[measured] - middle), axis=-1)
+    return np.maximum(MEDIAN_TO_DEVIATION * spread, 1e-12)
 
 
 def chi_square(objective: float, factor: float | None, freedom: int) -> dict[str, float]:

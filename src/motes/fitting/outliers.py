@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 from motes.fitting.joint import Joint
 from motes.fitting.losses import Floats
 from motes.fitting.problem import Problem
+from motes.fitting.result import Progress
 from motes.fitting.scans import ScanFits
 from motes.fitting.solver import Solution
 from motes.fitting.time_result import Alternative, ScanOutlier
 from motes.fitting.trend_choice import first_guess, select, steady_values
 
-Progress = Callable[[int, int, str], None]
 # A scan is an outlier when its misfit to the trends (a chi-square over its degrees of freedom) is this many times the median scan's, and over
 # this at all; or when its noise is.
 OUTLIER_RATIO, OUTLIER_MISFIT, OUTLIER_NOISE = 12.0, 12.0, 4.0

@@ -4,30 +4,29 @@ from __future__ import annotations
 
 import math
 import time as clock
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from motes.errors import DataError, MotesError
 from motes.fitting.choice import is_auto, summed
 from motes.fitting.joint import Joint
 from motes.fitting.losses import ROBUST, Floats
-from motes.fitting.metrics import chi_square, distances
+from motes.fitting.metrics import chi_square, deviation, distances
 from motes.fitting.outliers import joint_fit
 from motes.fitting.plausibility import implausible_fit
-from motes.fitting.problem import Problem
-from motes.fitting.result import Trial
-from motes.fitting.scans import ScanFits, fit_scans
-from motes.fitting.setup import prepare
+from motes.fitting.result import Progress, Trial
+from motes.fitting.scans import ScanFits, fit_scans, single
+from motes.fitting.setup import Setup, Wishes, prepare
 from motes.fitting.solver import Solution
 from motes.fitting.static import fit_scan
 from motes.fitting.time_findings import findings
 from motes.fitting.time_result import Alternative, ScanOutlier, TimeFit, TrendFit
 from motes.fitting.trend_choice import determined
-from motes.fitting.uncertainty import uncertainty, verdict_of
+from motes.fitting.uncertainty import at_rest, uncertainty, verdict_of
 from motes.fitting.verdicts import Verdict
 from motes.material import Material
 from motes.measurements import Measurement
@@ -35,22 +34,15 @@ from motes.measurements.doubts import implausible
 from motes.models import BRDF, describe
 from motes.trends import KINDS
 
-Progress = Callable[[int, int, str], None]
-
 
 def fit_over_time(
     data: Measurement,
-    model: str | BRDF = "auto",
-    *,
-    loss: str = "linear",
-    robust: str = "none",
-    weights: str | ArrayLike = "measurement",
-    fixed: Collection[str] | Mapping[str, Any] = (),
-    per_channel: Collection[str] = (),
+    model: str | BRDF,
+    wishes: Wishes,
     trends: str | Mapping[str, str] = "auto",
     progress: Progress | None = None,
 ) -> TimeFit:
-    """Fit every scan, then the trends of all parameters over all scans together; arguments as for `motes.fit`."""
+    """Fit every scan, then the trends of all parameters over all scans together; `trends` as for `motes.fit`."""
     started = clock.perf_counter()
     say = progress or (lambda done, total, what: None)
     kinds = {} if isinstance(trends, str) else dict(trends)
@@ -68,8 +60,8 @@ def fit_over_time(
     tried: tuple[Trial, ...] = ()
     if is_auto(model):
         say(0, 100, "choosing the model")
-        model, tried = _choose(data, usable, loss, robust, weights, fixed, per_channel)
-    setup = prepare(data, model, loss, weights, fixed, frozenset(per_channel))
+        model, tried = _choose(data, usable, wishes)
+    setup = prepare(data, model, wishes)
     problem = setup.problem
     names = [q.name for q in problem.quantities]
     for name in kinds:
@@ -89,63 +81,28 @@ def fit_over_time(
     hours = np.asarray(data.times, float)
     say(10, 100, f"fitting {len(usable)} scans")
     fits = fit_scans(problem, usable)
-    if robust != "none":
-        residual = np.concatenate(
-            [_residuals(problem, int(t), x)[problem.weights[t] > 0] for t, x in zip(usable, fits.x, strict=True)]
-        )
-        scale = 1.4826 * float(np.median(np.abs(residual - np.median(residual))))
-        problem = problem.with_scale(ROBUST[robust], max(scale, 1e-12))
+    if wishes.robust != "none":
+        residual = [
+            single(problem, int(t)).residuals(x)[problem.weights[t] > 0] for t, x in zip(usable, fits.x, strict=True)
+        ]
+        problem = problem.with_scale(ROBUST[wishes.robust], float(deviation(np.concatenate(residual))))
         fits = fit_scans(problem, usable)
     say(40, 100, "choosing trends")
     joint, solution, alternatives, outliers = joint_fit(problem, hours, fits, usable, kinds, say)
-    return _result(
-        data,
-        setup.brdf,
-        joint,
-        solution,
-        alternatives,
-        outliers,
-        fits,
-        usable,
-        tried,
-        loss,
-        robust,
-        setup.factor,
-        started,
-    )
+    return _result(data, setup, wishes, joint, solution, alternatives, outliers, fits, usable, tried, started)
 
 
-def _choose(
-    data: Measurement,
-    usable: NDArray[np.intp],
-    loss: str,
-    robust: str,
-    weights: str | ArrayLike,
-    fixed: Collection[str] | Mapping[str, Any],
-    per_channel: Collection[str],
-) -> tuple[str, tuple[Trial, ...]]:
+def _choose(data: Measurement, usable: NDArray[np.intp], wishes: Wishes) -> tuple[str, tuple[Trial, ...]]:
     """The candidate with the smallest BIC over the first, the middle and the last scan together."""
     looked_at = sorted({int(usable[0]), int(usable[len(usable) // 2]), int(usable[-1])})
-    trials = summed(
-        [
-            fit_scan(
-                data.at(t), "auto", loss=loss, robust=robust, weights=weights, fixed=fixed, per_channel=per_channel
-            ).tried
-            for t in looked_at
-        ]
-    )
+    trials = summed([fit_scan(data.at(t), "auto", wishes).tried for t in looked_at])
     return next(trial.model for trial in trials if trial.chosen), trials
-
-
-def _residuals(problem: Problem, scan: int, x: Floats) -> Floats:
-    from motes.fitting.scans import single
-
-    return single(problem, scan).residuals(x)
 
 
 def _result(
     data: Measurement,
-    brdf: BRDF,
+    setup: Setup,
+    wishes: Wishes,
     joint: Joint,
     solution: Solution,
     alternatives: dict[str, list[Alternative]],
@@ -153,12 +110,9 @@ def _result(
     fits: ScanFits,
     usable: NDArray[np.intp],
     tried: tuple[Trial, ...],
-    loss: str,
-    robust: str,
-    factor: float | None,
     started: float,
 ) -> TimeFit:
-    c = solution.x[0]
+    brdf, c = setup.brdf, at_rest(joint, solution.x[0])
     covariance = uncertainty(joint, c).covariance
     hours = np.asarray(data.times, float)
     results: dict[str, TrendFit] = {}
@@ -185,8 +139,8 @@ def _result(
     wavelengths = () if data.wavelengths is None else tuple(float(w) for w in data.wavelengths)
     about = {
         "data": {k: v for k, v in data.provenance.items() if isinstance(v, (str, int, float, bool))},
-        "loss": loss,
-        "robust": robust,
+        "loss": wishes.loss,
+        "robust": wishes.robust,
         "status": str(solution.status[0]),
     }
     material = Material(
@@ -210,7 +164,7 @@ def _result(
             "n_parameters": float(joint.problem.size),
             "n_coefficients": float(joint.size),
         }
-        | chi_square(objective, factor, joint.samples - joint.size)
+        | chi_square(objective, setup.factor, joint.samples - joint.size)
     )
     result = TimeFit(
         material=material,
@@ -223,8 +177,8 @@ def _result(
         tried=tried,
         measurement=data,
         predicted=predicted,
-        loss=loss,
-        robust=robust,
+        loss=wishes.loss,
+        robust=wishes.robust,
         model_text=describe(brdf),
         iterations=int(solution.iterations.sum()),
         seconds=clock.perf_counter() - started,

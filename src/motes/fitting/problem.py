@@ -6,8 +6,9 @@ shared parameters, never from a dense Jacobian."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import NamedTuple, Self, TypeVar
 
 import numpy as np
@@ -17,7 +18,8 @@ from motes import workers
 from motes.fitting.columns import Columns, columns_of
 from motes.fitting.covariance import LEAST_REMAINDER
 from motes.fitting.losses import Floats, Loss, Robust
-from motes.fitting.solver import Normal, Solution, minimize
+from motes.fitting.objective import Objective
+from motes.fitting.solver import Normal
 from motes.kernels.numpy import FitFunction, residual_function
 from motes.models import BRDF
 from motes.parameters import Parameter
@@ -52,7 +54,7 @@ class Quantity(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Problem:
+class Problem(Objective):
     """Data, loss and layout of a fit.
 
     Parameters
@@ -115,67 +117,18 @@ class Problem:
 
     @property
     def samples(self) -> int:
-        """The number of samples with a weight."""
         return int(np.count_nonzero(self.weights))
 
-    @property
-    def bounds(self) -> tuple[Floats, Floats]:
-        """Lower and upper bounds (P,) of a fit, in its coordinates."""
-        spans = [(q.bounds, q.where.stop - q.where.start) for q in self.quantities]
-        low = [b[0] for b, n in spans for _ in range(n)]
-        high = [b[1] for b, n in spans for _ in range(n)]
-        return np.array(low, float), np.array(high, float)
-
-    @property
+    @cached_property
     def columns(self) -> Columns:
-        """What is known of the parameters beforehand."""
-        declared = [q.parameter for q in self.quantities for _ in range(q.where.stop - q.where.start)]
-        return columns_of(declared, *self.bounds)
+        return columns_for(self.quantities)
 
     @property
     def groups(self) -> list[slice]:
-        """The columns of each parameter."""
         return [q.where for q in self.quantities]
 
-    def brightness(self, sets: NDArray[np.intp] | None = None) -> Floats:
-        """The weighted sums of squares of the data (T,), or those of some data sets; of one data set (1,)."""
-        squares = np.square(self._roots * self._targets).sum(axis=(-2, -1))
-        return np.atleast_1d(squares) if sets is None else np.atleast_1d(squares)[sets]
-
-    def solve(
-        self,
-        starts: Floats,
-        *,
-        sets: NDArray[np.intp] | None = None,
-        held: NDArray[np.bool_] | None = None,
-        reduction: float = 1e-10,
-        max_iterations: int = 200,
-    ) -> Solution:
-        """Minimise from each of `starts` (B, P); see `motes.fitting.solver.minimize`."""
-        low, high = self.bounds
-        if sets is None:
-            bright = float(self.brightness().sum())
-            return minimize(
-                self.normal,
-                starts,
-                low,
-                high,
-                held=held,
-                brightness=bright,
-                reduction=reduction,
-                max_iterations=max_iterations,
-            )
-        return minimize(
-            self.normal,
-            starts,
-            low,
-            high,
-            held=held,
-            sets=sets,
-            brightness=self.brightness(sets),
-            reduction=reduction,
-            max_iterations=max_iterations,
-        )
+    def brightness(self) -> Floats:
+        return np.atleast_1d(np.square(self._roots * self._targets).sum(axis=(-2, -1)))
 
     def labels(self, channels: tuple[str, ...]) -> tuple[str, ...]:
         """A name for each fitted value: ``K_d[R]``, ``sigma_d``."""
@@ -188,6 +141,11 @@ class Problem:
     def with_scale(self, robust: Robust, scale: float) -> Self:
         """The same data under a robust function."""
         return replace(self, robust=robust, scale=scale)
+
+    def select(self, rows: NDArray[np.intp]) -> Self:
+        """The problem at some of the directions."""
+        values, weights = self.values[..., rows, :], self.weights[..., rows, :]
+        return replace(self, wi=self.wi[rows], wo=self.wo[rows], values=values, weights=weights)
 
     # ------------------------------------------------------------ evaluation
 
@@ -227,7 +185,6 @@ class Problem:
         return np.asarray(np.sum(parts, axis=0))
 
     def pull(self, x: Floats, sets: NDArray[np.intp] | None = None) -> Floats:
-        """By how much the gradient (P,) changes when all values grow by their common uncertainty, one standard deviation."""
         slopes = self.loss.slope(self.values, self._cosines)
         moved = np.where(self._roots > 0, self._roots * slopes * self.values * self.common, 0.0)
 
@@ -341,6 +298,13 @@ class Problem:
         for c, index in enumerate(self._index()):
             total[:, index[:, None], index[None, :]] += parts[:, c]
         return total
+
+
+def columns_for(quantities: Sequence[Quantity]) -> Columns:
+    """What is known of a parameter vector beforehand."""
+    each = [q for q in quantities for _ in range(q.where.stop - q.where.start)]
+    low, high = (np.array([q.bounds[k] for q in each], float) for k in (0, 1))
+    return columns_of([q.parameter for q in each], low, high)
 
 
 def layout(model: BRDF, channels: int, fixed: frozenset[str], per_channel: frozenset[str]) -> tuple[Quantity, ...]:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterator
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, ClassVar, final
@@ -71,8 +72,12 @@ class Trial:
     n_samples: int
 
 
+#: Called with (done, total, what).
+Progress = Callable[[int, int, str], None]
+
+
 @dataclass(frozen=True)
-class Result:
+class Result(ABC):
     """What every fit of a measurement returns.
 
     Parameters
@@ -140,17 +145,17 @@ class Result:
         }
         return about | self.details() | after
 
+    @abstractmethod
     def details(self) -> dict[str, Any]:
         """What `to_dict` says of this kind of fit alone."""
-        raise NotImplementedError
 
+    @abstractmethod
     def table(self) -> list[dict[str, str]]:
         """The parameters as rows of text; digits follow the error."""
-        raise NotImplementedError
 
+    @abstractmethod
     def csv_rows(self) -> Iterator[list[str]]:
         """The rows of ``parameters.csv``, the headings first."""
-        raise NotImplementedError
 
     @property
     def source(self) -> str:

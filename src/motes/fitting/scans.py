@@ -11,7 +11,7 @@ from motes.fitting.losses import Floats
 from motes.fitting.problem import Problem
 from motes.fitting.solver import Normal
 from motes.fitting.starts import starting_points
-from motes.fitting.uncertainty import uncertainty
+from motes.fitting.uncertainty import at_rest, uncertainty
 from motes.fitting.verdicts import Status, Verdict
 
 ROUGH_DIRECTIONS = 300
@@ -61,13 +61,7 @@ def _part(problem: Problem) -> Problem:
     if len(problem.wi) <= 2 * count:
         return problem
     rows = np.sort(np.random.default_rng(20060914).choice(len(problem.wi), count, replace=False))
-    return replace(
-        problem,
-        wi=problem.wi[rows],
-        wo=problem.wo[rows],
-        values=problem.values[:, rows],
-        weights=problem.weights[:, rows],
-    )
+    return problem.select(rows)
 
 
 def fit_scans(problem: Problem, scans: NDArray[np.intp]) -> ScanFits:
@@ -87,7 +81,7 @@ def fit_scans(problem: Problem, scans: NDArray[np.intp]) -> ScanFits:
     lanes = np.repeat(scans, 3)
     final = problem.solve(tries, sets=lanes)
     pick = final.normal.objective.reshape(len(scans), 3).argmin(axis=1) + 3 * np.arange(len(scans))
-    x = final.x[pick]
+    x = np.stack([at_rest(single(problem, int(t)), row) for t, row in zip(scans, final.x[pick], strict=True)])
     chosen = Normal(*(part[pick] for part in final.normal))
     errors = [uncertainty(single(problem, int(t)), row) for t, row in zip(scans, x, strict=True)]
     return ScanFits(

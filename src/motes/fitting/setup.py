@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -10,35 +11,48 @@ from numpy.typing import ArrayLike
 
 from motes.errors import DataError, MotesError
 from motes.fitting.losses import LOSSES, ROBUST, Floats, Loss
-from motes.fitting.problem import Problem, layout
+from motes.fitting.problem import Problem, Quantity, layout
 from motes.measurements import Measurement
 from motes.models import BRDF, describe, parse
 
 
-class Setup(NamedTuple):
-    """A model without its data's values, the names that are held, a BRDF to start from if one was given, the problem, and
-    the factor of weights that are inverse variances (`Weights`)."""
+@dataclass(frozen=True)
+class Wishes:
+    """How a measurement is to be fitted: arguments of `motes.fit`, checked there."""
+
+    loss: str
+    robust: str
+    weights: str | ArrayLike
+    fixed: Collection[str] | Mapping[str, Any]
+    per_channel: Collection[str]
+
+
+class Fitted(NamedTuple):
+    """A model, what is fitted of it, and what is held."""
 
     brdf: BRDF
+    quantities: tuple[Quantity, ...]
     held: frozenset[str]
+
+
+class Setup(NamedTuple):
+    """A model without its data's values, a BRDF to start from if one was given, the problem, and the factor of weights that
+    are inverse variances (`Weights`)."""
+
+    brdf: BRDF
     start: BRDF | None
     problem: Problem
     factor: float | None
 
 
-def prepare(
-    data: Measurement,
+def fitted_of(
     model: str | BRDF,
-    loss: str,
-    weights: str | ArrayLike,
+    channels: int,
     fixed: Collection[str] | Mapping[str, Any],
-    per_channel: frozenset[str],
+    per_channel: Collection[str],
     lenient: bool = False,
-) -> Setup:
-    """The problem of fitting `model` to `data`: with values (N, C) for one time, (T, N, C) for several.
-
-    Arguments are those of `motes.fit`; `lenient` lets names pass that the model does not have (candidates of "auto").
-    """
+) -> Fitted:
+    """What is fitted of a model; `lenient` lets names pass that it does not have (candidates of "auto")."""
     if not isinstance(model, (str, BRDF)):
         raise DataError(
             f"a model of type {type(model).__name__} cannot be fitted", "Give text such as 'oren_nayar', or a BRDF"
@@ -51,12 +65,19 @@ def prepare(
     if isinstance(fixed, Mapping):
         brdf = brdf.with_parameters({name: value for name, value in fixed.items() if name in names})
     held = held | (frozenset(fixed) & frozenset(names))
-    quantities = layout(brdf, data.n_channels, held, per_channel)
+    quantities = layout(brdf, channels, held, frozenset(per_channel))
     if not quantities:
         raise MotesError(
             f"every parameter of {describe(brdf)} is held, so there is nothing to fit", "Hold fewer parameters"
         )
-    full, factor = sample_weights(data, weights, LOSSES[loss])
+    return Fitted(brdf, quantities, held)
+
+
+def prepare(data: Measurement, model: str | BRDF, wishes: Wishes, lenient: bool = False) -> Setup:
+    """The problem of fitting `model` to `data`: with values (N, C) for one time, (T, N, C) for several."""
+    brdf, quantities, held = fitted_of(model, data.n_channels, wishes.fixed, wishes.per_channel, lenient)
+    loss = LOSSES[wishes.loss]
+    full, factor = sample_weights(data, wishes.weights, loss)
     used: Any = full.any(axis=(0, 2))
     used = slice(None) if used.all() else used  # no copies of large data
     values = np.where(full > 0, data.values, 0.0)[:, used]
@@ -65,6 +86,13 @@ def prepare(
         raise DataError(
             f"all {int(np.count_nonzero(full))} usable samples are 0, so there is nothing to fit",
             "Check the exposure and the units of the data",
+        )
+    with np.errstate(all="ignore"):
+        lost = int(np.count_nonzero((full > 0) & ~np.isfinite(loss.transform(values, data.wi[used, 2:3]))))
+    if lost:
+        raise DataError(
+            f"the loss {loss.name} has no value at {lost} sample(s): {loss.meaning.partition(' - ')[0]} of their negative f_r",
+            "Choose another loss, or mask them",
         )
     single = data.n_times == 1
     problem = Problem(
@@ -79,11 +107,11 @@ def prepare(
         wo=data.wo[used],
         values=values[0] if single else values,
         weights=full[0] if single else full,
-        loss=LOSSES[loss],
+        loss=loss,
         robust=ROBUST["none"],
         common=data.common_uncertainty or 0.0,
     )
-    return Setup(brdf, held, model if isinstance(model, BRDF) else None, problem, factor)
+    return Setup(brdf, model if isinstance(model, BRDF) else None, problem, factor)
 
 
 def _held_value(value: Any, per_channel: bool, channels: int) -> Any:

@@ -4,22 +4,22 @@ from __future__ import annotations
 
 import math
 import time as clock
-from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
+from motes.directions import above
 from motes.errors import DataError
 from motes.fitting.choice import CANDIDATES, best_of, bic, check_names, is_auto
 from motes.fitting.losses import LOSSES, ROBUST, Floats
-from motes.fitting.metrics import chi_square, distances, relative_rms
+from motes.fitting.metrics import chi_square, deviation, distances, relative_rms
 from motes.fitting.plausibility import implausible_fit
 from motes.fitting.problem import Problem
-from motes.fitting.result import Fit, FittedParameter, Trial
-from motes.fitting.setup import prepare, sample_weights
+from motes.fitting.result import Fit, FittedParameter, Progress, Trial
+from motes.fitting.setup import Wishes, prepare, sample_weights
 from motes.fitting.solver import Solution
 from motes.fitting.starts import starting_points
 from motes.fitting.uncertainty import at_rest, uncertainty
@@ -31,34 +31,25 @@ from motes.models import BRDF, describe
 
 #: With more than three times as many samples, candidates are compared on this many.
 COMPARED_SAMPLES = 200_000
-Progress = Callable[[int, int, str], None]
 
 
-def fit_scan(
-    data: Measurement,
-    model: str | BRDF,
-    *,
-    loss: str,
-    robust: str,
-    weights: str | ArrayLike,
-    fixed: Collection[str] | Mapping[str, Any],
-    per_channel: Collection[str],
-    progress: Progress | None = None,
-) -> Fit:
-    """Fit a measurement with one time; arguments as for `motes.fit`, and checked there."""
+def fit_scan(data: Measurement, model: str | BRDF, wishes: Wishes, progress: Progress | None = None) -> Fit:
+    """Fit a measurement with one time."""
     started = clock.perf_counter()
     auto = is_auto(model)
     texts: tuple[str | BRDF, ...] = CANDIDATES if auto else (model,)
     if auto:
-        check_names((*fixed, *per_channel))
+        check_names((*wishes.fixed, *wishes.per_channel))
     # Candidates are compared on a part of large data; the chosen one is then fitted to all.
-    compared, compared_weights = data, weights
+    compared, compared_wishes = data, wishes
     if auto and data.n_directions * data.n_channels > 3 * COMPARED_SAMPLES:
         rows = _even_rows(data.n_directions, COMPARED_SAMPLES // data.n_channels)
         compared = data.select(rows)
-        if not isinstance(weights, str):
-            sample_weights(data, weights, LOSSES[loss])  # complains of a wrong shape before rows are taken
-            compared_weights = np.asarray(weights, float)[rows]
+        if not isinstance(wishes.weights, str):
+            sample_weights(
+                data, wishes.weights, LOSSES[wishes.loss]
+            )  # complains of a wrong shape before rows are taken
+            compared_wishes = replace(wishes, weights=np.asarray(wishes.weights, float)[rows])
     steps = len(texts) + (compared is not data)
     done = 0
 
@@ -67,14 +58,13 @@ def fit_scan(
         if progress:
             progress(done, steps, candidate if isinstance(candidate, str) else describe(candidate))
         done += 1
-        names = frozenset(per_channel)
-        return _Attempt(compared, candidate, loss, robust, compared_weights, fixed, names, auto)
+        return _Attempt(compared, candidate, compared_wishes, auto)
 
     best, tried = best_of(texts, attempt)
     if compared is not data:
         if progress:
             progress(len(texts), steps, f"{describe(best.brdf)}, all samples")
-        best = _Attempt(data, describe(best.brdf), loss, robust, weights, fixed, frozenset(per_channel), True, best.x)
+        best = _Attempt(data, describe(best.brdf), wishes, True, best.x)
     if progress:
         progress(steps, steps, "done")
     return best.result(tried, started)
@@ -92,23 +82,16 @@ class _Attempt:
         self,
         data: Measurement,
         model: str | BRDF,
-        loss: str,
-        robust: str,
-        weights: str | ArrayLike,
-        fixed: Collection[str] | Mapping[str, Any],
-        per_channel: frozenset[str],
+        wishes: Wishes,
         lenient: bool,
         near: Floats | None = None,
     ) -> None:
-        self.data, self.loss, self.robust = data, loss, robust
-        brdf, self.held, start, self.problem, self.factor = prepare(
-            data, model, loss, weights, fixed, per_channel, lenient
-        )
-        self.brdf = brdf
+        self.data, self.wishes = data, wishes
+        self.brdf, start, self.problem, self.factor = prepare(data, model, wishes, lenient)
         if self.problem.samples <= self.problem.size:
             raise DataError(
                 f"{self.problem.samples} usable sample(s) cannot determine the {self.problem.size} parameters "
-                f"of {describe(brdf)}",
+                f"of {describe(self.brdf)}",
                 "Measure more directions, or fit a smaller model",
             )
         self.solution = self._solve(self._vector(start) if start else None, near)
@@ -145,28 +128,20 @@ class _Attempt:
                     rough = self._part(samples).solve(starts, max_iterations=60, reduction=1e-7)
                     starts = rough.x[np.argsort(rough.normal.objective, kind="stable")[:most]]
         solution = problem.solve(starts, reduction=reduction)
-        if self.robust != "none":
+        if self.wishes.robust != "none":
             residual = problem.residuals(solution.x[solution.best()])[problem.weights > 0]
-            scale = 1.4826 * float(np.median(np.abs(residual - np.median(residual))))
-            scale = max(scale, 1e-12)
+            scale = float(deviation(residual))
             starts = np.concatenate([solution.x, starts])
             # The mild function has no valleys of its own; from its ends cauchy does not stop in one of its many.
             mild = problem.with_scale(ROBUST["soft_l1"], scale).solve(starts)
-            self.problem = problem.with_scale(ROBUST[self.robust], scale)
+            self.problem = problem.with_scale(ROBUST[self.wishes.robust], scale)
             solution = self.problem.solve(np.concatenate([mild.x, starts]))
         return solution
 
     def _part(self, samples: int) -> Problem:
         """The problem at a part of the directions, drawn evenly."""
         problem = self.problem
-        rows = _even_rows(len(problem.wi), max(200, samples // problem.channels))
-        return replace(
-            problem,
-            wi=problem.wi[rows],
-            wo=problem.wo[rows],
-            values=problem.values[rows],
-            weights=problem.weights[rows],
-        )
+        return problem.select(_even_rows(len(problem.wi), max(200, samples // problem.channels)))
 
     def _predicted(self) -> Floats:
         """The fitted BRDF at all directions of the data (N, C), those without a usable sample included."""
@@ -175,8 +150,7 @@ class _Attempt:
             return self.problem.predicted(self.x)
         shape = (data.n_directions, data.n_channels)
         everywhere = replace(self.problem, wi=data.wi, wo=data.wo, values=np.zeros(shape), weights=np.zeros(shape))
-        above = (data.wi[:, 2] > 0) & (data.wo[:, 2] > 0)
-        return np.where(above[:, None], everywhere.predicted(self.x), 0.0)
+        return np.where(above(data.wi, data.wo)[:, None], everywhere.predicted(self.x), 0.0)
 
     # ------------------------------------------------------------ the result
 
@@ -243,8 +217,8 @@ class _Attempt:
         data = self.data
         about = {
             "data": {k: v for k, v in data.provenance.items() if isinstance(v, (str, int, float, bool))},
-            "loss": self.loss,
-            "robust": self.robust,
+            "loss": self.wishes.loss,
+            "robust": self.wishes.robust,
             "relative_rms": metrics["relative_rms"],
             "status": str(self.status),
             "stderr": {
@@ -265,8 +239,8 @@ class _Attempt:
             findings=(),
             measurement=data,
             predicted=self.predicted,
-            loss=self.loss,
-            robust=self.robust,
+            loss=self.wishes.loss,
+            robust=self.wishes.robust,
             model_text=describe(self.brdf),
             iterations=int(self.solution.iterations.sum()),
             n_starts=len(self.solution.x),

@@ -10,12 +10,15 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from motes.directions import above
 from motes.errors import DataError, MotesError
-from motes.fitting.columns import Columns, columns_of
+from motes.fitting import joint, problem
+from motes.fitting.columns import Columns
 from motes.fitting.joint import Part
 from motes.fitting.losses import Floats, loss_named, robust_named
-from motes.fitting.problem import Quantity, layout
-from motes.models import BRDF, describe, parse
+from motes.fitting.problem import Quantity
+from motes.fitting.setup import fitted_of
+from motes.models import BRDF
 from motes.parameters import Parameter
 from motes.trends import KINDS
 
@@ -55,7 +58,10 @@ class TexelSetup:
         self.wi, self.wo = _directions(wi, wo)
         self.channels = channels
         self.loss, self.robust = loss_named(loss), robust_named(robust)
-        self.brdf, self.quantities = _fitted(model, channels, fixed, per_channel)
+        if channels < 1:
+            raise DataError(f"{channels} channels", "A texel has at least one")
+        asked = fitted_of(model, channels, fixed, per_channel)
+        self.brdf, self.quantities = asked.brdf, asked.quantities
         self.weights = _weights(weights, len(self.wi))
         self.hours, self.parts = _parts(self.quantities, hours, trends)
 
@@ -74,7 +80,12 @@ class TexelSetup:
     @cached_property
     def facts(self) -> Columns:
         """Bounds and ranges of the columns, in the coordinates that a fit moves in."""
-        return _facts(self.columns, self.quantities, self.parts)
+        return joint.columns_for(self.parts) if self.parts else problem.columns_for(self.quantities)
+
+    @property
+    def groups(self) -> list[slice]:
+        """The columns of each parameter; of a parameter that changes none."""
+        return joint.groups_for(self.parts) if self.parts else [q.where for q in self.quantities]
 
     @property
     def size(self) -> int:
@@ -114,18 +125,6 @@ def _columns(quantities: tuple[Quantity, ...], parts: tuple[Part, ...]) -> tuple
     return tuple(columns)
 
 
-def _facts(columns: tuple[Column, ...], quantities: tuple[Quantity, ...], parts: tuple[Part, ...]) -> Columns:
-    """Bounds and ranges of a texel's columns, in the coordinates of a fit."""
-    if parts:
-        pairs = [part.bounds() for part in parts]
-        low, high = np.concatenate([p[0] for p in pairs]), np.concatenate([p[1] for p in pairs])
-    else:
-        spans = [q.bounds for q in quantities for _ in range(q.where.stop - q.where.start)]
-        low, high = np.array([s[0] for s in spans], float), np.array([s[1] for s in spans], float)
-    declared = [c.parameter if c.value else None for c in columns]
-    return columns_of(declared, low, high, squared=[c.squared for c in columns])
-
-
 def _directions(wi: ArrayLike, wo: ArrayLike) -> tuple[Floats, Floats]:
     """Unit vectors (D, 3), all above the horizon."""
     pair = []
@@ -138,36 +137,15 @@ def _directions(wi: ArrayLike, wo: ArrayLike) -> tuple[Floats, Floats]:
             raise DataError(
                 f"{name} holds a vector of length {np.linalg.norm(array[np.argmax(off)]):.4g}, not 1", "Normalise it"
             )
-        if not (array[:, 2] > 0).all():
+        if not above(array).all():
             raise DataError(
-                f"{int(np.count_nonzero(array[:, 2] <= 0))} direction(s) of {name} are at or below the horizon",
+                f"{int(np.count_nonzero(~above(array)))} direction(s) of {name} are at or below the horizon",
                 "Leave them out",
             )
         pair.append(array / np.linalg.norm(array, axis=1, keepdims=True))
     if len(pair[0]) != len(pair[1]):
         raise DataError(f"{len(pair[0])} directions wi and {len(pair[1])} directions wo", "They come in pairs")
     return pair[0], pair[1]
-
-
-def _fitted(
-    model: str | BRDF, channels: int, fixed: Collection[str] | Mapping[str, Any], per_channel: Collection[str]
-) -> tuple[BRDF, tuple[Quantity, ...]]:
-    """The model, and what is fitted of it."""
-    brdf, held = (model, frozenset[str]()) if isinstance(model, BRDF) else parse(model)
-    names = [slot.name for slot in brdf.slots()]
-    for name in (*fixed, *per_channel):
-        if name not in names:
-            raise MotesError(f"{describe(brdf)} has no parameter {name!r}", f"It has {', '.join(names)}")
-    if isinstance(fixed, Mapping):
-        brdf = brdf.with_parameters(dict(fixed))
-    quantities = layout(brdf, channels, held | frozenset(fixed), frozenset(per_channel))
-    if not quantities:
-        raise MotesError(
-            f"every parameter of {describe(brdf)} is held, so there is nothing to fit", "Hold fewer parameters"
-        )
-    if channels < 1:
-        raise DataError(f"{channels} channels", "A texel has at least one")
-    return brdf, quantities
 
 
 def _weights(weights: ArrayLike | None, count: int) -> Floats:

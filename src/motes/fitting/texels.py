@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from motes.errors import DataError, MotesError
 from motes.fitting.losses import ROBUST, Floats, Robust
+from motes.fitting.metrics import deviation
 from motes.fitting.printed.driver import NO_VERDICT
 from motes.fitting.printed.module import MOST_COEFFICIENTS
 from motes.fitting.second_look import REFIT_ITERATIONS, REFIT_REDUCTION, Rows, Solved, look_again
@@ -25,8 +26,6 @@ from motes.fitting.texels_slow import fit_slowly
 from motes.fitting.texels_starts import representative_starts
 from motes.kernels import engine
 
-# The median of the size of normal noise is its standard deviation over this.
-MEDIAN_TO_DEVIATION = 1.4826
 # The plain fit before a robust one is drawn by what is far off: its errors are large, and a small share of them shows in the median.
 FIRST_REDUCTION = 1e-12
 
@@ -176,7 +175,7 @@ class TexelSolver(TexelSetup):
         """As `motes.fit` does it: the noise is taken from a plain fit, the mild function comes first; and the noise of each texel (M,)."""
         mild, robust = self.kernel("direct", ROBUST["soft_l1"]), self.kernel("direct", self.robust)
         start = np.where(np.isfinite(plain.points), plain.points, self.facts.low[:, 0])
-        noise = _noise(mild.residuals(data, start))
+        noise = deviation(mild.residuals(data, start))
         first = mild.fit(data, start, noise=noise, close=False)
         best = robust.fit(data, first.points, noise=noise, covariance=covariance)
         if robust is not mild:
@@ -275,18 +274,8 @@ class TexelSolver(TexelSetup):
                 return kernel.diagonal(data[rows[fits]], points, None if own is None else own[fits])
 
             with np.errstate(invalid="ignore"):
-                look_again(solved, self.facts, self._groups(), refit, diagonal)
+                look_again(solved, self.facts, self.groups, refit, diagonal)
             raw.codes[rows] = part.codes
-
-    def _groups(self) -> list[slice]:
-        """The columns of each parameter; of a parameter with a trend none."""
-        groups, start = [], 0
-        for k, q in enumerate(self.quantities):
-            count = self.parts[k].size if self.parts else q.where.stop - q.where.start
-            if not self.parts or self.parts[k].kind == "constant":
-                groups.append(slice(start, start + count))
-            start += count
-        return groups
 
     def finished(self, raw: Raw) -> TexelFit:
         """What callers want of what a kernel found."""
@@ -317,15 +306,6 @@ class TexelSolver(TexelSetup):
         """
         data = self._checked(values)
         return representative_starts(self, data, lambda rows, starts: self.fit(data[rows], starts).x)
-
-
-def _noise(residuals: Singles) -> Floats:
-    """Of each texel (M,): the median distance of its residuals (M, n) from their median, as a standard deviation."""
-    measured = np.isfinite(residuals).any(axis=1)  # the median of nothing is a warning
-    middle = np.nanmedian(residuals[measured], axis=1, keepdims=True)
-    spread = np.zeros(len(residuals))
-    spread[measured] = np.nanmedian(np.abs(residuals[measured] - middle), axis=1)
-    return np.asarray(np.maximum(MEDIAN_TO_DEVIATION * spread, 1e-12))
 
 
 def _own_covariance(packed: Singles, stderr: Singles) -> Singles:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from motes.fitting.covariance import VERDICTS
@@ -11,6 +9,7 @@ from motes.fitting.joint import Joint
 from motes.fitting.losses import ROBUST, Floats
 from motes.fitting.printed.driver import STATE
 from motes.fitting.problem import Problem
+from motes.fitting.scans import single
 from motes.fitting.texel_kernel import MAX_ITERATIONS, Raw, Singles
 from motes.fitting.texel_setup import TexelSetup
 from motes.fitting.uncertainty import at_rest, uncertainty
@@ -58,7 +57,7 @@ def fit_slowly(solver: TexelSetup, data: Singles, starts: Floats, own_starts: bo
                 assert solver.hours is not None
                 objective = Joint(problem, solver.hours, np.arange(len(solver.hours)), solver.parts)
             else:
-                objective = problem = problem_of_one(problem)
+                objective = problem = single(problem, 0)
             solution = objective.solve(own, max_iterations=MAX_ITERATIONS)
             best = solution.best()
             x = raw.points[k] = at_rest(objective, solution.x[best])
@@ -72,8 +71,3 @@ def fit_slowly(solver: TexelSetup, data: Singles, starts: Floats, own_starts: bo
             }
         raw.states[k] = [states[name] for name in STATE]
     return raw
-
-
-def problem_of_one(problem: Problem) -> Problem:
-    """A problem with one data set, without the axis of data sets."""
-    return replace(problem, values=problem.values[0], weights=problem.weights[0])

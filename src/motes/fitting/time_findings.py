@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from motes.directions import above
 from motes.fitting.metrics import rms
 from motes.fitting.time_result import ScanOutlier, TrendFit
 from motes.fitting.verdicts import Verdict
@@ -71,7 +72,7 @@ def findings(
 
 def _share_below(material: Material, data: Measurement) -> float:
     """The largest share, over the scans, of the light that comes from below the dust (root mean squares over the directions)."""
-    up = (data.wi[:, 2] > 0) & (data.wo[:, 2] > 0)
+    up = above(data.wi, data.wo)
     wi, wo = data.wi[up], data.wo[up]
     largest = 0.0
     for hour in data.times:

@@ -78,7 +78,7 @@ class Profile:
             cross[rows] = scan.matrix[t][own] @ jacobian[t][:, rest]
         others = np.einsum("tpk,tpq,tql->kl", jacobian[:, :, rest], scan.matrix, jacobian[:, :, rest], optimize=True)
         slope = np.einsum("tpk,tp->k", jacobian[:, :, rest], scan.gradient)
-        low, high = joint.bounds()
+        low, high = joint.bounds
         pull = np.einsum("tpk,tp->k", jacobian, scan.gradient)
         held = ((c <= low) & (pull > 0)) | ((c >= high) & (pull < 0))
         free = ~held[rest]
@@ -140,7 +140,7 @@ class Profile:
             gradient = (transposed @ (self.gradient + push)[..., None])[..., 0]
             return Normal(self.objective + change, gradient, transposed @ (self.matrix @ rows))
 
-        low, high = part.bounds()
+        low, high = part.bounds
         solution = minimize(normal, part.starts(hours, self.wish), low, high, max_iterations=40, reduction=1e-8)
         best = solution.best()
         return float(solution.normal.objective[best]), solution.x[best]
@@ -217,7 +217,7 @@ def first_guess(
 
     # Both the plain values and the nearest trends are starts: a scan on a false branch spoils one or the other.
     plain = np.concatenate(starts)[None]
-    low, high = joint.bounds()
+    low, high = joint.bounds
     both = np.concatenate([plain, minimize(nearest, plain, low, high, max_iterations=30, reduction=1e-6).x])
     rough = joint.solve(both, **ROUGHLY)
     return joint, rough.x[rough.best()]

@@ -2,55 +2,19 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from motes.fitting import covariance as steps
-from motes.fitting.algebra import ARRAYS
-from motes.fitting.columns import Columns, columns_of
+from motes.fitting.algebra import ARRAYS, outer
+from motes.fitting.columns import columns_of
 from motes.fitting.losses import Floats
+from motes.fitting.objective import Objective
 from motes.fitting.second_look import REFIT_ITERATIONS, REFIT_REDUCTION, Rows, Solved, look_again
-from motes.fitting.solver import Normal, Solution
 from motes.fitting.verdicts import Verdict
 from motes.parameters import Parameter
-
-
-class Objective(Protocol):
-    """What is minimised: the problem of one scan, or of all scans through trends."""
-
-    @property
-    def columns(self) -> Columns: ...
-
-    @property
-    def groups(self) -> list[slice]:
-        """The columns of each parameter."""
-
-    @property
-    def samples(self) -> int: ...
-
-    def brightness(self) -> Floats: ...
-
-    def normal(self, x: Floats) -> Normal: ...
-
-    def curvature(self, x: Floats) -> Floats: ...
-
-    def spread(self, x: Floats, inverse: Floats) -> Floats: ...
-
-    @property
-    def common(self) -> float: ...
-
-    def pull(self, x: Floats) -> Floats: ...
-
-    def solve(
-        self,
-        starts: Floats,
-        *,
-        held: NDArray[np.bool_] | None = None,
-        reduction: float = ...,
-        max_iterations: int = ...,
-    ) -> Solution: ...
 
 
 class Uncertainty(NamedTuple):
@@ -95,8 +59,7 @@ def at_rest(objective: Objective, x: Floats) -> Floats:
 
 
 def uncertainty(objective: Objective, x: Floats) -> Uncertainty:
-    """The uncertainty of the solution `x` (P,); see `motes.fitting.covariance`."""
-    x = at_rest(objective, x)
+    """The uncertainty of the solution `x` (P,), with what is not seen `at_rest`; see `motes.fitting.covariance`."""
     columns, bright = objective.columns, np.atleast_1d(objective.brightness().sum())
     at = objective.normal(x[None])
     gradient = at.gradient.T
@@ -115,9 +78,6 @@ def uncertainty(objective: Objective, x: Floats) -> Uncertainty:
             blurred = np.maximum(blurred, inverse.blurred)
         middle = objective.spread(x, inverse.matrix[..., 0])[..., None]
         covariance = ARRAYS.sandwich(inverse.matrix, middle)
-        if objective.common:  # a scale that is uncertain moves all parameters together
-            way = inverse.matrix[..., 0] @ objective.pull(x)
-            covariance = covariance + np.outer(way, way)[..., None]
         free = stand.free * (1 - blurred)
         noise = steps.noise_of(ARRAYS, matrix, middle, free)
         bounded = np.maximum(stand.at_low, stand.at_high)
@@ -125,6 +85,10 @@ def uncertainty(objective: Objective, x: Floats) -> Uncertainty:
         none = steps.Inverse(inverse.matrix, 0.0 * blurred)
         wider = steps.inverted(ARRAYS, matrix, np.maximum(free, loose)) if loose.any() else none
         errors = steps.errors(ARRAYS, covariance, wider, noise, stand, blurred, columns, loose)
+        if objective.common:  # a scale that is uncertain moves all parameters together, however well each is known
+            way = (inverse.matrix[..., 0] @ objective.pull(x))[:, None]
+            covariance = covariance + outer(way)
+            errors = errors._replace(stderr=np.hypot(errors.stderr, way))
         value = steps.own_value(ARRAYS, point, columns.squared)
         stderr = np.where(errors.known > 0, steps.own_error(ARRAYS, point, errors.stderr, columns.squared), np.nan)
         codes = steps.judged(ARRAYS, value, stderr, columns, errors.verdicts)

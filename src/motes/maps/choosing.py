@@ -11,11 +11,12 @@ from motes.errors import DataError, MotesError
 from motes.fitting.choice import CANDIDATES, bic, summed
 from motes.fitting.joint import Joint
 from motes.fitting.losses import ROBUST, Floats
-from motes.fitting.metrics import relative_rms
+from motes.fitting.metrics import deviation, relative_rms
 from motes.fitting.problem import Problem
 from motes.fitting.result import Trial
+from motes.fitting.scans import single
 from motes.fitting.texels import TexelSolver, TexelStatus
-from motes.fitting.texels_slow import problem_of, problem_of_one
+from motes.fitting.texels_slow import problem_of
 from motes.fitting.verdicts import Status
 from motes.maps.settings import Settings, solver_of
 from motes.maps.stack import MapStack, Singles
@@ -23,7 +24,6 @@ from motes.models import parse
 
 # A candidate that more of the texels than this have too few samples for is not compared.
 MOST_WITHOUT = 0.5
-MEDIAN_TO_DEVIATION = 1.4826
 
 
 class Choice(NamedTuple):
@@ -100,9 +100,9 @@ def _trial(solver: TexelSolver, text: str, row: Singles, x: Floats, status: int)
         assert solver.hours is not None
         joint = Joint(problem, solver.hours, np.arange(len(solver.hours)), solver.parts)
         vectors = joint.vectors(point)[0].reshape(len(solver.hours), -1)
-        parts = [problem_of_one(problem_of(solver, row[t : t + 1])) for t in range(len(row))]
+        parts = [single(problem_of(solver, row[t : t + 1]), 0) for t in range(len(row))]
     else:
-        problem = problem_of_one(problem)
+        problem = single(problem, 0)
         vectors, parts = point[None], [problem]
     predicted = np.stack([one.predicted(v) for one, v in zip(parts, vectors, strict=True)])
     if solver.robust.name != "none":
@@ -130,4 +130,4 @@ def _trial(solver: TexelSolver, text: str, row: Singles, x: Floats, status: int)
 def _scale(parts: list[Problem], vectors: Floats) -> float:
     """The size of noise among residuals, from their median."""
     residual = np.concatenate([p.residuals(v)[p.weights > 0] for p, v in zip(parts, vectors, strict=True)])
-    return max(MEDIAN_TO_DEVIATION * float(np.median(np.abs(residual - np.median(residual)))), 1e-12)
+    return float(deviation(residual))

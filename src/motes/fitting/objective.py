@@ -1,0 +1,81 @@
+"""`Objective`: what is minimised, the problem of one scan or of all scans through trends, and what is asked of it."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+
+import numpy as np
+from numpy.typing import NDArray
+
+from motes.fitting.columns import Columns
+from motes.fitting.losses import Floats
+from motes.fitting.solver import Normal, Solution, minimize
+
+
+class Objective(ABC):
+    """Half a weighted (robust) sum of squares, as a function of a parameter vector (P,)."""
+
+    #: A relative uncertainty that all values share: of the scale.
+    common: float
+
+    @property
+    @abstractmethod
+    def columns(self) -> Columns:
+        """What is known of the parameters beforehand."""
+
+    @property
+    @abstractmethod
+    def groups(self) -> list[slice]:
+        """The columns of each parameter: its channels."""
+
+    @property
+    @abstractmethod
+    def samples(self) -> int:
+        """The number of samples with a weight."""
+
+    @abstractmethod
+    def brightness(self) -> Floats:
+        """The weighted sum of squares of the data of each scan (T,)."""
+
+    @abstractmethod
+    def normal(self, x: Floats, sets: NDArray[np.intp] | None = None) -> Normal:
+        """Objectives and normal equations for parameter vectors (B, P); ``sets`` (B,) says which of several data sets each is for."""
+
+    @abstractmethod
+    def curvature(self, x: Floats) -> Floats:
+        """The expected second derivative (P, P)."""
+
+    @abstractmethod
+    def spread(self, x: Floats, inverse: Floats) -> Floats:
+        """The middle of the sandwich estimator (P, P), with the inverse of the curvature."""
+
+    @abstractmethod
+    def pull(self, x: Floats) -> Floats:
+        """By how much the gradient (P,) changes when all values grow by their common uncertainty, one standard deviation."""
+
+    @property
+    def bounds(self) -> tuple[Floats, Floats]:
+        """Lower and upper bounds (P,), in the coordinates of the fit."""
+        return self.columns.low[:, 0], self.columns.high[:, 0]
+
+    def solve(
+        self,
+        starts: Floats,
+        *,
+        sets: NDArray[np.intp] | None = None,
+        held: NDArray[np.bool_] | None = None,
+        reduction: float = 1e-10,
+        max_iterations: int = 200,
+    ) -> Solution:
+        """Minimise from each of `starts` (B, P); see `motes.fitting.solver.minimize`."""
+        bright = self.brightness()
+        return minimize(
+            self.normal,
+            starts,
+            *self.bounds,
+            held=held,
+            sets=sets,
+            brightness=float(bright.sum()) if sets is None else bright[sets],
+            reduction=reduction,
+            max_iterations=max_iterations,
+        )
