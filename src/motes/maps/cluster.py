@@ -6,6 +6,7 @@ import itertools
 import logging
 import queue
 import time
+from collections import Counter
 from collections.abc import Callable, Generator, Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from typing import Any
@@ -19,6 +20,8 @@ LEAST_IN_FLIGHT, MOST_IN_FLIGHT = 2, 4
 # Seconds: to reach a scheduler; between two looks at who is there; without any worker before the run is given up.
 CONNECT, LOOK, PATIENCE = 10.0, 1.0, 120.0
 TOO_MANY_DEATHS = "its worker died again and again, perhaps for want of memory"
+#: Times that a block is submitted again because its result died with the worker that held it.
+AGAIN = 3
 
 
 def on_cluster(
@@ -49,6 +52,7 @@ def windowed(
     """Outcomes of `work` on every block, a few submitted for each thread at a time; `where` is for messages."""
     ended: queue.SimpleQueue[Any] = queue.SimpleQueue()
     running: dict[Any, tuple[int, int]] = {}
+    lost: Counter[tuple[int, int]] = Counter()
     waiting = iter(blocks)
     path, run = str(fitted.path.resolve()), f"{time.time_ns()}"
     left, window, enough, seen, looked = len(blocks), 0, 0, time.monotonic(), -LOOK
@@ -66,7 +70,7 @@ def windowed(
         if len(running) <= enough and (more := list(itertools.islice(waiting, window - len(running)))):
             # Some at a time: a message for each would be most of a scheduler's work.  Keys tell runs apart, for a scheduler
             # remembers results that somebody still holds.
-            keys = [f"motes-{run}-{y}-{x}" for y, x in more]
+            keys = [f"motes-{run}-{y}-{x}-{lost[y, x]}" for y, x in more]
             futures = client.map(work, [path] * len(more), [run] * len(more), more, key=keys, pure=False)
             for future, block in zip(futures, more, strict=True):
                 running[future] = block
@@ -76,11 +80,20 @@ def windowed(
         except queue.Empty:
             continue
         block = running.pop(future)
-        yield _outcome(future, block, fitted, client, where)
+        outcome = _outcome(future, block, fitted, where)
+        if outcome is None:
+            _threads(client, where)  # an error where it is the scheduler that went away
+            lost[block] += 1
+            if lost[block] <= AGAIN:
+                waiting = itertools.chain([block], waiting)
+                continue
+            outcome = Outcome(block, UNREADABLE, fitted.blocks.texels(block), TOO_MANY_DEATHS)
+        yield outcome
         left -= 1
 
 
-def _outcome(future: Any, block: tuple[int, int], fitted: FittedMap, client: Any, where: str) -> Outcome:
+def _outcome(future: Any, block: tuple[int, int], fitted: FittedMap, where: str) -> Outcome | None:
+    """What became of a block; None where its result was lost, with the worker that held it or with the scheduler."""
     from distributed import KilledWorker
 
     if future.status == "finished":
@@ -88,8 +101,7 @@ def _outcome(future: Any, block: tuple[int, int], fitted: FittedMap, client: Any
             result: Outcome = future.result(timeout=CONNECT)
             return result
         except Exception:  # the worker died between its last word and ours
-            _threads(client, where)
-            raise _gone(where) from None
+            return None
     if future.status == "error":
         error = future.exception(timeout=CONNECT)
         if isinstance(error, KilledWorker):
@@ -100,7 +112,7 @@ def _outcome(future: Any, block: tuple[int, int], fitted: FittedMap, client: Any
             f"block {block} failed on a worker of {where}: {type(error).__name__}: {str(error)[:200]}",
             "Workers need the same Motes, the same packages and the same paths as this machine",
         )
-    raise _gone(where)  # cancelled or lost: the scheduler went away
+    return None
 
 
 def _threads(client: Any, where: str) -> int:
