@@ -45,9 +45,9 @@ def shader(
     for uniform, slot, offset in zip(uniforms, prepared.slots, offsets, strict=True):
         many = slot.name in prepared.split
         type_, many_of = ("float", f"[{prepared.channels}]") if prepared.arrays else ("float3", "")
-        lines.append(
-            f"    {type_ if many else 'float'} {uniform.name}{many_of if many else ''};  // at byte {offset}: {about(slot, uniform.value)}"
-        )
+        declared = f"{type_} {uniform.name}{many_of}" if many else f"float {uniform.name}"
+        place = f"c{offset // 16}.{'xyzw'[offset % 16 // 4]}"
+        lines.append(f"    {declared} : packoffset({place});  // at byte {offset}: {about(slot, uniform.value)}")
     lines += ["};", *comment(f"The buffer has {size} bytes; entries of an array are 16 bytes apart."), ""]
     lines += [*prepared.definition(LANGUAGE, f"{name}_with", prefix), ""]
     passed = "".join(f", {uniform.name}" for uniform in uniforms)
@@ -66,12 +66,16 @@ def pack(model: BRDF) -> bytes:
 
 
 def _offsets(prepared: Prepared) -> tuple[list[int], int]:
-    """Where each parameter lies, and the size of the whole [bytes]: nothing crosses a multiple of 16, and arrays begin at one."""
+    """Where each parameter lies, and the size of the whole [bytes]: nothing crosses a multiple of 16, and arrays fill whole ones.
+
+    Left to themselves, compilers disagree on what follows an array: Direct3D's put the next number behind the last entry, in what is
+    left of its 16 bytes; those that make SPIR-V begin at the next multiple.  So the places are written (``packoffset``).
+    """
     offsets, end = [], 0
     for slot in prepared.slots:
         many = slot.name in prepared.split
-        size = 4 if not many else 16 * (prepared.channels - 1) + 4 if prepared.arrays else 12
-        if end // 16 != (end + size - 1) // 16 or (many and prepared.arrays):
+        size = 4 if not many else 16 * prepared.channels if prepared.arrays else 12
+        if end // 16 != (end + size - 1) // 16:
             end = -(-end // 16) * 16
         offsets.append(end)
         end += size

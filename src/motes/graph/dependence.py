@@ -5,7 +5,7 @@ What no output needs is never visited.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from typing import Any
 
 from motes.arrays import Array
@@ -14,15 +14,16 @@ from motes.graph.symbols import Symbol, compute
 DIRECTIONS, PARAMETERS = 1, 2  # the bits of a model's leaves
 
 
-def live(outputs: Iterable[Symbol]) -> list[Symbol]:
-    """The symbols that the outputs need, themselves included, each after its arguments."""
+def live(outputs: Iterable[Symbol], given: Container[Symbol] = ()) -> list[Symbol]:
+    """The symbols that the outputs need, themselves included, each after its arguments; none that only `given` ones need."""
     seen: set[Symbol] = set()
     stack = list(outputs)
     while stack:
         symbol = stack.pop()
         if symbol not in seen:
             seen.add(symbol)
-            stack.extend(symbol.args)
+            if symbol not in given:
+                stack.extend(symbol.args)
     return sorted(seen, key=lambda symbol: symbol.index)
 
 

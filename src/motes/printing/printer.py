@@ -141,19 +141,6 @@ def steps(
     return done, [unbracketed(text[symbol]) for symbol in outputs]
 
 
-def live_until(outputs: Sequence[Symbol], given: Mapping[Symbol, str]) -> list[Symbol]:
-    """The symbols that `outputs` need, without those behind the `given` ones."""
-    seen: set[Symbol] = set()
-    stack = list(outputs)
-    while stack:
-        symbol = stack.pop()
-        if symbol not in seen:
-            seen.add(symbol)
-            if symbol not in given:
-                stack.extend(symbol.args)
-    return sorted(seen, key=lambda symbol: symbol.index)
-
-
 def unbracketed(expression: str) -> str:
     """Without the brackets around the whole of it, if there are any."""
     if not expression.startswith("("):

@@ -125,16 +125,3 @@ def intrinsic(name: str, call: str, arguments: Sequence[str], lines: Sequence[st
     given = ", ".join(arguments)
     program = "\n".join([" ".join(arguments), *lines])
     return f'@intrinsic\ndef {name}(typing, {given}):\n    program = """\n{program}\n"""\n    return {call}program, {given})'
-
-
-def until(outputs: Sequence[Symbol], stop: set[Symbol]) -> list[Symbol]:
-    """What the outputs need, down to `stop`, each after its arguments."""
-    seen: set[Symbol] = set()
-    stack = list(outputs)
-    while stack:
-        symbol = stack.pop()
-        if symbol not in seen:
-            seen.add(symbol)
-            if symbol not in stop:
-                stack.extend(symbol.args)
-    return sorted(seen, key=lambda symbol: symbol.index)
