@@ -9,18 +9,19 @@ from motes.directions import Geometry, Vector
 from motes.models.components import Reflecting
 from motes.models.lifting import averaged, broadcast, leading, lifted, matching, sliced
 
-#: Directions of light that are integrated at a time.
-BLOCK = 256
+#: Values (directions of light x nodes x channels) that are integrated at a time.
+AT_ONCE = 1 << 21
 
 
 def directional_albedo(model: Reflecting, xp: Array, wi: Array, nodes: tuple[int, int]) -> Array:
     """See `motes.models.BRDF.directional_albedo`; `wi` (..., 3) is an array of the library whose namespace is `xp`."""
     shape = np.broadcast_shapes(tuple(wi.shape[:-1]), *leading(model))
-    if xp is NUMPY and np.prod(shape) > BLOCK:  # a bounded number of pairs at a time
+    step = max(1, AT_ONCE // (nodes[0] * nodes[1] * model.channels))
+    if xp is NUMPY and np.prod(shape) > step:  # bounded memory
         flat = np.broadcast_to(wi, (*shape, 3)).reshape(-1, 3)
         parts = [
-            directional_albedo(sliced(model, shape, k, k + BLOCK), xp, flat[k : k + BLOCK], nodes)
-            for k in range(0, len(flat), BLOCK)
+            directional_albedo(sliced(model, shape, k, k + step), xp, flat[k : k + step], nodes)
+            for k in range(0, len(flat), step)
         ]
         return np.concatenate(parts).reshape(*shape, -1)
     polar, weights = np.polynomial.legendre.leggauss(nodes[0])
