@@ -1,10 +1,10 @@
 """Give every reader damaged files, many of them, and write docs/fuzzing.md.
 
-    python tools/mutate_readers.py --count 100000 --seconds 120
+    python tools/mutate_readers.py --seconds 20 --output docs/fuzzing.md
 
-Each reader gets small valid specimens of its format (those of the tests), of which bytes are flipped, cut out, doubled, inserted or
-replaced by what is nasty (huge counts, NaN, signs, brackets, entities); every tenth is read with the format found from the content,
-the others by its name.  A reader runs in a process of its own whose address space may grow by 64 MiB, 20 times the size of any
+Each reader of measurements, spreadsheets, pictures and meshes gets small valid specimens of its format, of which bytes are flipped,
+cut out, doubled, inserted or replaced by what is nasty (huge counts, NaN, signs, brackets, entities); of measurements every tenth is
+read with the format found from the content, the others by its name.  A reader runs in a process of its own whose address space may grow by 64 MiB, 20 times the size of any
 specimen and more.  What is counted as a failure: an exception that is no `MotesError`, an error without a hint, memory refused by
 the system, an input that takes longer than ten seconds, the end of the process.
 """
@@ -12,10 +12,12 @@ the system, an input that takes longer than ten seconds, the end of the process.
 from __future__ import annotations
 
 import argparse
+import io
 import json
 import multiprocessing
 import platform
 import resource
+import shlex
 import signal
 import sys
 import tempfile
@@ -32,8 +34,11 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT / "src"), str(ROOT / "tests")]
 
 import format_files  # noqa: E402
+import image_files  # noqa: E402
 import measurement_files as files  # noqa: E402
+from motes import meshes  # noqa: E402
 from motes.errors import MotesError  # noqa: E402
+from motes.images import library, photograph, transfer_functions  # noqa: E402
 from motes.measurements import READERS, Measurement, list_samples, read  # noqa: E402
 
 GROWTH = 64 * 2**20
@@ -107,7 +112,65 @@ def specimens() -> dict[str, list[tuple[Specimen, str]]]:
         "pab-opto": one(format_files.pab_text(30, 0, step=30), format_files.pab_text(30, 0, step=30, dsf=True)),
         "cornell": one(files.cornell_text()),
         "csv": one(files.csv_text()),
+        "csv in a spreadsheet": [({"a.xlsx": spreadsheet()}, "a.xlsx")],
+        "picture": [
+            (exr_folder(lambda folder: exr(folder / "a.exr")), "a.exr"),
+            *(({name: pixels}, name) for name, pixels in pictures().items()),
+        ],
+        "mesh": [({name: data}, name) for name, data in solids().items()],
     }
+
+
+def spreadsheet() -> bytes:
+    """The table of the tests by openpyxl."""
+    import openpyxl
+
+    book, made = openpyxl.Workbook(), io.BytesIO()
+    for line in files.csv_text().splitlines():
+        book.active.append([float(c) if c.lstrip("-")[:1].isdigit() else c for c in line.split(",")])
+    book.save(made)
+    return made.getvalue()
+
+
+def exr(path: Path) -> None:
+    rng = np.random.default_rng(1)
+    image_files.write_exr(path, {name: rng.uniform(0, 1, (5, 7)).astype(np.float16) for name in "RGBA"})
+
+
+def pictures() -> Specimen:
+    """PNG by the book; TIFF and JPEG by OpenImageIO."""
+    rng = np.random.default_rng(1)
+    codes = rng.integers(0, 255, (5, 7, 3), np.uint8)
+    found = {
+        "8.png": image_files.png_bytes(codes, [0, 1, 2, 3, 4]),
+        "16.png": image_files.png_bytes(codes.astype(np.uint16) * 257, [4], chunks=((b"gAMA", b"\0\1\x86\xa0"),)),
+    }
+    with tempfile.TemporaryDirectory() as folder:
+        for name in ("a.tif", "a.jpg"):
+            oiio = library.oiio("Writing pictures")
+            facts = oiio.ImageSpec(7, 5, 3, "uint8")
+            facts.attribute("Exif:ColorSpace", 1)
+            out = oiio.ImageOutput.create(name)
+            assert out.open(str(Path(folder) / name), facts), oiio.geterror()
+            assert out.write_image(codes)
+            out.close()
+            found[name] = (Path(folder) / name).read_bytes()
+    return found
+
+
+def solids() -> Specimen:
+    """A sphere in all the formats of meshes, PLY by Motes, the others by trimesh."""
+    import trimesh
+
+    ball = trimesh.creation.icosphere(1)
+    mesh = meshes.Mesh(ball.vertices, ball.faces.astype(np.int32))
+    with tempfile.TemporaryDirectory() as folder:
+        binary = meshes.write_ply(Path(folder) / "a.ply", mesh).read_bytes()
+    made = {kind: ball.export(file_type=kind) for kind in ("obj", "stl", "stl_ascii", "glb")}
+    made = {kind: text.encode() if isinstance(text, str) else text for kind, text in made.items()}
+    text = trimesh.exchange.ply.export_ply(ball, encoding="ascii")
+    text_stl = {"text.stl": made.pop("stl_ascii")}
+    return {"a.ply": binary, "text.ply": text, **text_stl, **{f"a.{kind}": data for kind, data in made.items()}}
 
 
 def damaged(data: bytes, rng: np.random.Generator) -> bytes:
@@ -151,18 +214,38 @@ def limited() -> Iterator[None]:
         signal.alarm(0)
 
 
+def measurement(path: Path, name: str, by_name: bool) -> str:
+    options = {"format": name.split()[0]} if by_name else {}
+    sample = {"sample": 3} if name == "curet" else {}
+    found = read(path, **options, **sample)
+    json.dumps(found.summary(), allow_nan=False)
+    if isinstance(found, Measurement) and sum(found.masked.values()) != np.count_nonzero(~found.mask):
+        return "counts of masked samples do not add up"
+    list_samples(path, **options)
+    return "read"
+
+
+def picture(path: Path, _name: str, _by_name: bool) -> str:
+    stated = transfer_functions.Transfer("linear") if path.suffix == ".tif" else None
+    values = photograph.open_photograph(path, stated).linear()
+    return "read" if values.ndim == 3 and not np.isinf(values).any() else "not an array of numbers"
+
+
+def mesh(path: Path, _name: str, _by_name: bool) -> str:
+    found = meshes.read_mesh(path)
+    bad = not np.isfinite(found.positions).all() or found.triangles.max() >= len(found.positions)
+    return "positions or triangles that are none" if bad or found.triangles.min() < 0 else "read"
+
+
+#: The readers that are none of measurements.
+OTHERS: dict[str, Callable[[Path, str, bool], str]] = {"picture": picture, "mesh": mesh}
+
+
 def attempt(path: Path, name: str, by_name: bool) -> str:
     """What became of one input: "read", "refused", or what went wrong."""
-    options = {"format": name} if by_name else {}
-    sample = {"sample": 3} if name == "curet" else {}
     try:
         with limited():
-            found = read(path, **options, **sample)
-            json.dumps(found.summary(), allow_nan=False)
-            if isinstance(found, Measurement) and sum(found.masked.values()) != np.count_nonzero(~found.mask):
-                return "counts of masked samples do not add up"
-            list_samples(path, **options)
-            return "read"
+            return OTHERS.get(name, measurement)(path, name, by_name)
     except MotesError as error:
         if "more memory than there is" in error.message:
             return "memory"
@@ -231,7 +314,7 @@ def page(results: dict[str, tuple[dict[str, int], float, dict[str, str]]]) -> st
         "",
         "Every reader is given damaged files: bytes of small valid specimens flipped, cut, doubled, inserted, or replaced by huge counts, NaN, brackets,",
         "entities. It must read them or refuse them with a sentence and a hint, within ten seconds and 64 MiB of memory, and nothing else.",
-        "`python tools/mutate_readers.py --count 100000 --seconds 600` makes this page; the test suite runs a few thousand of the same kind.",
+        f"`python {shlex.join(['tools/mutate_readers.py', *sys.argv[1:]])}` made this page; the test suite runs a few thousand of the same kind.",
         "",
         f"{total:,} inputs, {time.strftime('%Y-%m-%d')}, Python {platform.python_version()}, NumPy {np.__version__}.",
         "",
@@ -247,6 +330,10 @@ def page(results: dict[str, tuple[dict[str, int], float, dict[str, str]]]) -> st
         )
         failures += [f"- `{name}`: {what} ({count:,})" for what, count in sorted(bad.items())]
     lines += ["", "Where fewer inputs are shown than for other readers, the time given to each ran out.", ""]
+    lines += [
+        "`picture` is OpenEXR, PNG, TIFF and JPEG; `mesh` is PLY, OBJ, STL (binary and text) and glTF. TIFF and OpenEXR hold no checksums, so that flipped pixels are read.",
+        "",
+    ]
     lines += ["What failed:", "", *failures] if failures else ["Nothing failed."]
     return "\n".join(lines) + "\n"
 
@@ -258,23 +345,15 @@ def main() -> None:
     parser.add_argument("--readers", nargs="*", default=None, help="some of them; all by default")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--output", type=Path, default=None, help="such as docs/fuzzing.md; printed only by default")
-    parser.add_argument(
-        "--results", type=Path, default=None, help="a JSON file that the counts are added to, over several runs"
-    )
     parser.add_argument("--examples", type=Path, default=None, help="a JSON file for the first input of each failure")
     given = parser.parse_args()
-    assert set(specimens()) == set(READERS), set(READERS) ^ set(specimens())
+    names = list(specimens())
+    assert set(READERS) <= set(names), set(READERS) - set(names)
     results: dict[str, tuple[dict[str, int], float, dict[str, str]]] = {}
-    if given.results and given.results.is_file():
-        before = json.loads(given.results.read_text())
-        results = {name: tuple(before[name]) for name in READERS if name in before}
-    for name in given.readers or READERS:
+    for name in given.readers or names:
         outcomes, slowest, examples = run(name, given.count, given.seconds, given.seed)
         print(name, outcomes, f"{slowest:.2f} s", flush=True)
-        old = results.get(name, ({}, 0.0, {}))
-        results[name] = (dict(Counter(old[0]) + Counter(outcomes)), max(old[1], slowest), old[2] | examples)
-        if given.results:
-            given.results.write_text(json.dumps(results, indent=1))
+        results[name] = (outcomes, slowest, examples)
         if given.examples:
             given.examples.write_text(json.dumps({k: v[2] for k, v in results.items() if v[2]}, indent=1))
         if given.output:
