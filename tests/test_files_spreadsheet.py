@@ -148,6 +148,14 @@ def test_a_formula_is_found_across_the_pieces_of_a_large_sheet(tmp_path: Path, m
             read_spreadsheet(path)
 
 
+def claimed(path: Path, size: int) -> None:
+    """A workbook whose directory says that a part, which nothing scans, is packed in so many bytes."""
+    data = bytearray(book(path, "").read_bytes())
+    at = data.rindex(b"PK\x01\x02") + 20
+    data[at : at + 4] = size.to_bytes(4, "little")
+    path.write_bytes(data)
+
+
 @pytest.mark.parametrize(
     ("make", "message"),
     [
@@ -160,6 +168,7 @@ def test_a_formula_is_found_across_the_pieces_of_a_large_sheet(tmp_path: Path, m
         (lambda p: book(p, "<row>"), "not a readable spreadsheet"),
         (lambda p: book(p, "", head='<!DOCTYPE x [<!ENTITY a "b">]>'), "document type"),
         (lambda p: zipfile.ZipFile(p, "w").writestr("a.txt", "x"), "not a spreadsheet"),
+        (lambda p: claimed(p, 2**32 - 2**20), "takes 4293918720 bytes of its"),
         (lambda p: None, "cannot be read"),
     ],
 )

@@ -185,6 +185,12 @@ def test_alpha_is_never_data(tmp_path: Path) -> None:
     assert np.isfinite(linear(tmp_path / "a.png")).all()
 
 
+def test_an_alpha_of_signalling_nan_is_read(tmp_path: Path) -> None:
+    alpha = np.full((2, 3), 0x7D01, np.uint16).view(np.float16)
+    write_exr(tmp_path / "a.exr", {name: np.full((2, 3), 0.5, np.float16) for name in "RGB"} | {"A": alpha})
+    assert (linear(tmp_path / "a.exr") == 0.5).all()
+
+
 def test_damaged_png_are_refused(tmp_path: Path) -> None:
     good = png_bytes(np.zeros((4, 5, 3), np.uint8), [0])
 

@@ -118,6 +118,7 @@ def test_normals_that_are_no_numbers_are_computed(tmp_path: Path) -> None:
     ("text", "words"),
     [
         ("v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "1 of 3 vertices whose position is not finite"),
+        ("v 0 0 0\nv 1e200 0 0\nv 0 1e200 0\nf 1 2 3\n", "a coordinate of 1e\\+200"),
         ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "line 4"),
         ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "line 4"),
         ("v 0 0 0\nv 1 0\n", "line 2"),

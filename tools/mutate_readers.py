@@ -4,9 +4,10 @@
 
 Each reader of measurements, spreadsheets, pictures and meshes gets small valid specimens of its format, of which bytes are flipped,
 cut out, doubled, inserted or replaced by what is nasty (huge counts, NaN, signs, brackets, entities); of measurements every tenth is
-read with the format found from the content, the others by its name.  A reader runs in a process of its own whose address space may grow by 64 MiB, 20 times the size of any
-specimen and more.  What is counted as a failure: an exception that is no `MotesError`, an error without a hint, memory refused by
-the system, an input that takes longer than ten seconds, the end of the process.
+read with the format found from the content, the others by its name.  A reader runs in a process of its own whose address space may
+grow by 64 MiB, 20 times the size of any specimen and more.  What is counted as a failure: an exception that is no
+`MotesError`, an error without a hint, memory refused by the system, an input that takes longer than ten seconds, the end of the
+process.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from __future__ import annotations
 import argparse
 import io
 import json
+import logging
 import multiprocessing
 import platform
 import resource
@@ -260,6 +262,7 @@ def attempt(path: Path, name: str, by_name: bool) -> str:
 
 def work(name: str, count: int, seconds: float, seed: int, pipe: multiprocessing.connection.Connection) -> None:
     warnings.simplefilter("error")
+    logging.disable()  # of libraries: what is raised is what counts
     rng = np.random.default_rng(seed)
     found = specimens()[name]
     outcomes: Counter[str] = Counter()
@@ -331,7 +334,8 @@ def page(results: dict[str, tuple[dict[str, int], float, dict[str, str]]]) -> st
         failures += [f"- `{name}`: {what} ({count:,})" for what, count in sorted(bad.items())]
     lines += ["", "Where fewer inputs are shown than for other readers, the time given to each ran out.", ""]
     lines += [
-        "`picture` is OpenEXR, PNG, TIFF and JPEG; `mesh` is PLY, OBJ, STL (binary and text) and glTF. TIFF and OpenEXR hold no checksums, so that flipped pixels are read.",
+        "`picture` is OpenEXR, PNG, TIFF and JPEG; `mesh` is PLY, OBJ, STL (binary and text) and glTF. TIFF and OpenEXR hold no checksums,",
+        "so that flipped pixels are read.",
         "",
     ]
     lines += ["What failed:", "", *failures] if failures else ["Nothing failed."]

@@ -182,6 +182,10 @@ def _examined(path: Path) -> _Facts:
         with zipfile.ZipFile(path) as archive:
             parts = archive.infolist()
             budget.check(path, sum(part.file_size for part in parts), "its parts", size)
+            # As many bytes as a part claims to be packed in are asked of the file, and memory made for them, before any is read.
+            if long := [part for part in parts if part.compress_size > size]:
+                said = f"{long[0].filename[:80]} takes {long[0].compress_size} bytes of its {size}"
+                raise _damaged(path, zipfile.BadZipFile(said))
             for part in parts:
                 if part.filename.lower().endswith((".xml", ".rels", ".vml")):
                     facts = facts.with_part(_part(path, archive, part))

@@ -252,7 +252,11 @@ def _codes(path: Path, picture: Any, purpose: str) -> tuple[NDArray[Any], NDArra
 
 def _used(alpha: NDArray[Any] | None) -> NDArray[Any] | None:
     """None for an alpha that leaves everything, or nothing: programs that have no use for it write either."""
-    return None if alpha is None or alpha.all() or not alpha.any() else alpha
+    if alpha is None:
+        return None
+    with np.errstate(invalid="ignore"):  # of NaN that signal
+        seen = alpha != 0
+    return None if seen.all() or not seen.any() else alpha
 
 
 def _turned(pixels: NDArray[Any], orientation: int) -> NDArray[Any]:

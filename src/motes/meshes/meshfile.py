@@ -26,6 +26,8 @@ READERS: dict[str, Callable[[Path], Mesh]] = {
     ".gltf": by_trimesh.read_gltf,
 }
 SUFFIXES = tuple(READERS)
+#: Coordinates whose fourth powers are still numbers, with room: areas are square roots of them.
+LARGEST = 1e60
 TURN = "motes dust --outwards turns them"
 
 
@@ -79,6 +81,11 @@ def mended(mesh: Mesh, outwards: bool = False) -> Mesh:
         raise FormatError(
             f"{mesh.name} has {int(bad.sum())} of {n} vertices whose position is not finite, the first is vertex {int(np.argmax(bad))}",
             "Export it again; a modifier that divides by zero is a usual cause",
+        )
+    if n and (largest := float(np.abs(mesh.positions).max())) > LARGEST:
+        raise FormatError(
+            f"{mesh.name} has a coordinate of {largest:.3g}, beyond {LARGEST:g}",
+            "Export it again in metres; what is larger has no areas that can be computed",
         )
     if mesh.triangles.size and (mesh.triangles.min() < 0 or mesh.triangles.max() >= n):
         worst = mesh.triangles.max() if mesh.triangles.max() >= n else mesh.triangles.min()

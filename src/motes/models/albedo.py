@@ -13,14 +13,14 @@ from motes.models.lifting import averaged, broadcast, leading, lifted, matching,
 AT_ONCE = 1 << 21
 
 
-def directional_albedo(model: Reflecting, xp: Array, wi: Array, nodes: tuple[int, int]) -> Array:
+def directional_albedo(model: Reflecting, channels: int, xp: Array, wi: Array, nodes: tuple[int, int]) -> Array:
     """See `motes.models.BRDF.directional_albedo`; `wi` (..., 3) is an array of the library whose namespace is `xp`."""
     shape = np.broadcast_shapes(tuple(wi.shape[:-1]), *leading(model))
-    step = max(1, AT_ONCE // (nodes[0] * nodes[1] * model.channels))
+    step = max(1, AT_ONCE // (nodes[0] * nodes[1] * channels))
     if xp is NUMPY and np.prod(shape) > step:  # bounded memory
         flat = np.broadcast_to(wi, (*shape, 3)).reshape(-1, 3)
         parts = [
-            directional_albedo(sliced(model, shape, k, k + step), xp, flat[k : k + step], nodes)
+            directional_albedo(sliced(model, shape, k, k + step), channels, xp, flat[k : k + step], nodes)
             for k in range(0, len(flat), step)
         ]
         return np.concatenate(parts).reshape(*shape, -1)

@@ -193,7 +193,7 @@ class BRDF(Reflecting, ABC):
         array (..., C)
         """
         wi, _, xp, _ = self._prepared(wi, wi)
-        return directional_albedo(self, xp, wi, nodes)
+        return directional_albedo(self, self.channels, xp, wi, nodes)
 
     def spherical_albedo(self, *, nodes: int = 32) -> NDArray[np.float64]:
         """The share of uniform light from the hemisphere that is reflected; shape (C,).  NumPy parameters only."""

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
+from motes.graph.dependence import live
 from motes.graph.tracing import Symbol
 
 ARITHMETIC = {
@@ -103,7 +104,7 @@ def steps(
     steps, and the text of each output
     """
     names = names or {}
-    order = [symbol for symbol in live_until(outputs, given) if symbol not in given]
+    order = [symbol for symbol in live(outputs, given) if symbol not in given]
     uses = Counter(a for symbol in order for a in symbol.args)
     uses.update(outputs)
     named = {a for symbol in order if symbol.op in target.repeats or symbol in target.special for a in symbol.args}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from motes.graph.dependence import live
 from motes.graph.tracing import Symbol
 
 LANES = 16  # texels in a block: two vectors of eight floats
@@ -96,7 +97,7 @@ def computed(
     """The lines of a program that computes `outputs`, and all names in it; `known` are names of lines before."""
     lines: list[str] = []
     names = dict(known or {})
-    for k, symbol in enumerate(until(outputs, {*places, *names})):
+    for k, symbol in enumerate(live(outputs, {*places, *names})):
         if symbol in names:
             continue
         if symbol in places:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from motes.fitting.printed.rows import LANES, Rows, computed, intrinsic, until
+from motes.fitting.printed.rows import LANES, Rows, computed, intrinsic
+from motes.graph.dependence import live
 from motes.graph.tracing import Symbol
 
 UNROLL = 4  # samples whose terms are added before they go to memory; few where a formula is long
@@ -25,9 +26,9 @@ def sum_function(
         What depends on directions alone, the same in all lanes; what depends on a lane's parameters alone.
     """
     stop = {*columns.where, *constants.where, *data}
-    unroll = UNROLL if len(until(integrands, stop)) < LONG else 1
+    unroll = UNROLL if len(live(integrands, stop)) < LONG else 1
     shared, known = computed(
-        [symbol for symbol in until(integrands, stop) if symbol in constants.where],
+        [symbol for symbol in live(integrands, stop) if symbol in constants.where],
         {symbol: f"row constants F {k * LANES}" for symbol, k in constants.where.items()},
         suffix="_c",
     )
