@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from catalogue import reference, upper_directions
 from motes import Conductor, Dielectric, Dust, DustLayer, Lambert, OrenNayar, Schlick, TorranceSparrow
+from motes.directions import HORIZON
 from motes.material import Material
 from motes.models import BRDF
 from motes.rendering import load_mitsuba, load_scene
@@ -158,6 +159,10 @@ def test_below_the_horizon_there_is_nothing(name: str) -> None:
         si = dr.zeros(mi.SurfaceInteraction3f, 64)
         si.wi = mi.Vector3f(viewer.T)
         assert np.all(np.array(bsdf.pdf(mi.BSDFContext(), si, mi.Vector3f(light.T))) == 0)
+    level = up * np.array([1, 1, 0]) + np.array(
+        [0, 0, 0.5 * HORIZON]
+    )  # above, but what the models count as the horizon
+    assert np.all(evaluate(mi, bsdf, level, up) == 0)
 
 
 @needs_llvm

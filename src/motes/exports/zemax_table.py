@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from motes.directions import from_spherical
+from motes.directions import HORIZON, from_spherical
 from motes.exports import tristimulus
 from motes.exports.shaders import plain
 from motes.exports.subject import Subject
@@ -72,7 +72,7 @@ def write(subject: Subject, path: Path) -> list[Path]:
         for a in np.meshgrid(*(np.deg2rad(np.array(a, float)) for a in (INCIDENCE, AZIMUTH, RADIAL)), indexing="ij")
     )
     wi, wo = from_spherical(theta, 0.0), about_mirror(theta, np.zeros_like(theta), radial, azimuth)
-    above = wo[:, 2] > 0
+    above = wo[:, 2] > HORIZON
     values = np.zeros((len(wi), len(names)))
     values[above] = f(wi[above], wo[above])
     tables = values.reshape(len(INCIDENCE), len(AZIMUTH), len(RADIAL), len(names))

@@ -8,7 +8,7 @@ from typing import Any, cast, final
 
 from motes import arrays, equations
 from motes.arrays import Array, Columns
-from motes.directions import Geometry, Vector
+from motes.directions import HORIZON, Geometry, Vector
 from motes.errors import ParameterError
 from motes.models import BRDF, Component, DustLayer
 from motes.rendering.mixture import SMALLEST_COSINE, Mixture
@@ -84,7 +84,7 @@ def layer_class(mi: Any) -> type:
                 pdf = pdf * chance
             own: Any = _spectrum(mi, dr.zeros(mi.UnpolarizedSpectrum if mi.is_polarized else mi.Spectrum))
             if dust:
-                above = active & (si.wi.z > 0) & (wo.z > 0)
+                above = active & (si.wi.z > HORIZON) & (wo.z > HORIZON)
                 own = _spectrum(mi, dr.select(above, layer.dust(wo) * wo.z, 0.0))
                 pdf = pdf + dr.select(above, (1 - chance) * layer.pdf(wo), 0.0)
             return equations.dust_layer(layer.xp, value, own, layer.depth(wo)), pdf
@@ -94,7 +94,7 @@ def layer_class(mi: Any) -> type:
             base, dust = self._enabled(context)
             if not (base and dust):
                 return mi.Float(1.0 if base else 0.0)
-            return dr.select(si.wi.z > 0, layer.chance, 1.0)
+            return dr.select(si.wi.z > HORIZON, layer.chance, 1.0)
 
         def sample(self, context: Any, si: Any, sample1: Any, sample2: Any, active: Any = True) -> tuple[Any, Any]:
             base, dust = self._enabled(context)

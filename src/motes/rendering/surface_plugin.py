@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from motes.directions import HORIZON
 from motes.errors import ParameterError
 from motes.material import load
 from motes.models import BRDF, Reflection, describe
@@ -49,7 +50,7 @@ def surface_class(mi: Any) -> type:
                 return bs, mi.Spectrum(0.0)
             wo, part = mixture.sample(sample1, sample2)
             wo = mi.Vector3f(*wo)
-            active = active & (si.wi.z > 0) & (wo.z > 0)
+            active = active & (si.wi.z > HORIZON) & (wo.z > HORIZON)
             pdf = dr.select(active, mixture.pdf(wo), 0.0)
             bs.wo, bs.pdf, bs.eta = wo, pdf, 1.0
             kinds = [int(self.kinds[k]) for k in mixture.enabled]
@@ -62,7 +63,7 @@ def surface_class(mi: Any) -> type:
             mixture = self._mixture(context, si, active)
             if mixture is None:
                 return mi.Spectrum(0.0), mi.Float(0.0)
-            active = active & (si.wi.z > 0) & (wo.z > 0)
+            active = active & (si.wi.z > HORIZON) & (wo.z > HORIZON)
             value = dr.select(active, mixture.value(wo) * wo.z, 0.0)
             return _spectrum(mi, value), dr.select(active, mixture.pdf(wo), 0.0)
 
