@@ -28,7 +28,6 @@ HEADER_HINT = "A header names the columns, such as theta_i_deg,phi_i_deg,theta_r
 HEADER_LINES = 400  # that are looked at for the one that names the columns
 BLANKS, WIDE_BLANKS = "blanks", "two blanks or more"
 SEPARATORS = ("\t", ";", ",", "|", WIDE_BLANKS, BLANKS)
-SPELT = {"\t": "tabs", ";": "semicolons", ",": "commas", "|": "bars", WIDE_BLANKS: "blanks", BLANKS: "blanks"}
 _MARKS = (
     (codecs.BOM_UTF8, "utf-8"),
     (codecs.BOM_UTF32_LE, "utf-32"),
@@ -305,10 +304,6 @@ def _end(row: Sequence[str], n: int) -> int:
     while end > n and row[end - 1] == "":
         end -= 1
     return end
-
-
-def is_missing(cell: str) -> bool:
-    return cell.lower() in _missing
 
 
 _missing = frozenset(names.TABLES["missing"])

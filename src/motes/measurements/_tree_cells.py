@@ -161,19 +161,8 @@ def _number(value: float) -> str:
     return f"{value:.7g}"
 
 
-def to_square(x: Array, y: Array) -> Array:
-    """The square's coordinates (..., 2) of points of the unit disk (Shirley and Chiu 1997)."""
-    r, phi = np.hypot(x, y), np.arctan2(y, x)
-    phi = np.where(phi < -np.pi / 4, phi + 2 * np.pi, phi)
-    region = np.floor((phi + np.pi / 4) / (np.pi / 2)).astype(int) % 4
-    slant = r / (np.pi / 4)
-    a = np.choose(region, [r, (np.pi / 2 - phi) * slant, -r, (phi - 3 * np.pi / 2) * slant])
-    b = np.choose(region, [phi * slant, r, (np.pi - phi) * slant, -r])
-    return np.stack([(a + 1) / 2, (b + 1) / 2], axis=-1)
-
-
 def to_disk(square: Array) -> tuple[Array, Array]:
-    """The inverse of `to_square`: x, y."""
+    """Points x, y of the unit disk from the coordinates (..., 2) of a square (Shirley and Chiu 1997)."""
     a, b = 2 * square[..., 0] - 1, 2 * square[..., 1] - 1
     wide = np.abs(a) > np.abs(b)
     r = np.where(wide, a, b)  # signed: the quarter opposite is the same with both signs turned
