@@ -46,7 +46,7 @@ def test_pictures_become_a_map_that_fits(tmp_path: Path, suffix: str) -> None:
     factor = exposure * irradiance * np.cos(np.radians(THETA))
     names = photographs(tmp_path / "shots", K_d[None] / np.pi * factor[:, None, None, None], suffix)
     rows = [f"{n},{t},{p},{e},{irradiance}" for n, t, p, e in zip(names, THETA, PHI, exposure, strict=True)]
-    table = "# a rig\nfile,theta_i_deg,phi_i_deg,exposure,irradiance\n" + "\n".join(rows) + "\n"
+    table = "# a rig\nfile,theta_i_deg,phi_i_deg,exposure,irradiance,note_iso\n" + "\n".join(f"{row},400" for row in rows) + "\n"
     (tmp_path / "shots" / "lights.csv").write_text(table)
     stack = maps.import_images(tmp_path / "shots", tmp_path / "out.zarr", chunk=4)
     assert (stack.shape, stack.sizes, stack.name) == ((9, 7), (1, 4, 3), "shots")
@@ -96,6 +96,13 @@ def test_times_viewers_and_gaps(tmp_path: Path) -> None:
         ("file,wi_x,wi_y,wi_z\nlight00.exr,0,0,0\n", r"\(0, 0, 0\)"),
         ("file,time\nlight00.exr,0\n", "direction to the light is not known"),
         ("file,theta_i,phi_i,exposure\nlight00.exr,0,0,0\n", "Both are above 0"),
+        (
+            "file,theta_i,phi_i,expossure\nlight00.exr,0,0,2\n",
+            "'expossure', which is not known; the nearest are exposure",
+        ),
+        ("file,theta_i,phi_i,theta_i_deg\nlight00.exr,0,0,3\n", "theta of the light twice, in theta_i_deg and theta_i"),
+        ("file,theta_i,phi_i,wi_x,wi_y,wi_z\nlight00.exr,0,0,0,0,1\n", "theta of the light twice, in theta_i and wi_x"),
+        ("file,theta_i,phi_i,time,time_s\nlight00.exr,0,0,0,9\n", "the time twice, in time and time_s"),
         ("file,theta_i,phi_i\nmissing.exr,0,0\n", "does not exist"),
         ("file,theta_i,phi_i\n../secret.exr,0,0\n", "outside the folder"),
         ("file,theta_i,phi_i\nlight00.gif,0,0\n", "is not a picture that is read"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import difflib
 import os
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -17,6 +18,19 @@ from motes.images.photograph import SUFFIXES
 from motes.measurements.table import TIMES
 
 Floats = NDArray[np.float64]
+
+#: For each thing that a row says, the ways to say it: the columns that belong together.
+WAYS: dict[str, tuple[tuple[str, ...], ...]] = {
+    f"{angle} of the {what}": (
+        (f"{angle}_{suffix}_deg",),
+        (f"{angle}_{suffix}",),
+        tuple(f"{vector}_{axis}" for axis in "xyz"),
+    )
+    for what, vector, suffix in (("light", "wi", "i"), ("viewer", "wo", "r"))
+    for angle in ("theta", "phi")
+} | {"the time": tuple((name,) for name in TIMES)}
+OTHERS = ("file", "exposure", "irradiance")
+LEFT_OUT = "note"
 
 
 class Row(NamedTuple):
@@ -58,6 +72,7 @@ def rows_of(path: Path, folder: Path) -> list[Row]:
         raise FormatError(
             f"{path} has the columns {', '.join(header)[:200]}", "It needs the column file, and each once"
         )
+    _check_columns(path, header)
     rows = []
     for number, row in enumerate(cells[1:], 2):
         where = f"{path}, row {number}"
@@ -66,6 +81,25 @@ def rows_of(path: Path, folder: Path) -> list[Row]:
         entry = dict(zip(header, row, strict=True))
         rows.append(_row(entry, where, folder))
     return rows
+
+
+def _check_columns(path: Path, header: list[str]) -> None:
+    """Refuse a column that is not known, which may be a misspelt exposure, and what is said in two ways."""
+    known = [*OTHERS, *(name for ways in WAYS.values() for way in ways for name in way)]
+    for name in header:
+        if name not in known and not name.startswith(LEFT_OUT):
+            close = difflib.get_close_matches(name, known, n=3, cutoff=0.0)
+            raise FormatError(
+                f"{path} has the column {name[:80]!r}, which is not known; the nearest are {', '.join(close)}",
+                f"Rename it; a column whose name begins with {LEFT_OUT} is left out",
+            )
+    for what, ways in WAYS.items():
+        used = [way for way in ways if any(name in header for name in way)]
+        if len(used) > 1:
+            both = " and ".join(next(name for name in way if name in header) for way in used)
+            raise FormatError(
+                f"{path} says {what} twice, in {both}", f"Keep one; a column that begins with {LEFT_OUT} is left out"
+            )
 
 
 def _row(entry: dict[str, str], where: str, folder: Path) -> Row:
