@@ -16,10 +16,10 @@ import pytest
 from numpy.typing import NDArray
 from scipy.integrate import quad
 
-from golden import Rows
+from golden import Rows, published
 from motes.arrays import NUMPY
 from motes.directions import Geometry, Vector
-from motes.models import BRDF, Conductor, Dielectric, Dust, DustLayer, Lambert, OrenNayar, Schlick, TorranceSparrow
+from motes.models import BRDF, EON, Conductor, Dielectric, Dust, DustLayer, Lambert, OrenNayar, Schlick, TorranceSparrow
 
 AtRows = Callable[[Rows], tuple[BRDF, NDArray[np.float64]]]
 
@@ -91,6 +91,11 @@ def oren_nayar(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
 
 def smooth_oren_nayar(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
     return OrenNayar(column(r["K_d"]), 0.0), r["K_d"] / np.pi
+
+
+def eon(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
+    dphi = r["phi_r"] - r["phi_i"]
+    return EON(column(r["K_d"]), r["w"]), published.eon(r["theta_i"], r["theta_r"], dphi, r["K_d"], r["w"])
 
 
 def torrance_sparrow(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
@@ -211,6 +216,14 @@ ENTRIES = (
     # Spherical albedo 1.0002 and 0.80: the inter-reflection of (7) gives back a little more than (1) loses.
     Entry("oren_nayar_nearly_smooth", OrenNayar(1.0, 0.1), smooth_oren_nayar, spherical=(1.0002, 5e-5), at_most=1.0003),
     Entry("oren_nayar_rough", OrenNayar(1.0, 1.0), oren_nayar, spherical=(0.80, 5e-3)),
+    # A white one returns all light: its albedo is 1 to the quadrature's 2e-5.
+    Entry(
+        "eon",
+        EON(rho=(0.9, 0.5, 0.2), r=0.8),
+        eon,
+        directional=lambda mu: published.eon_albedo(np.arccos(mu), np.array([0.9, 0.5, 0.2]), 0.8),
+        at_most=1.0 + 2e-5,
+    ),
     Entry("torrance_sparrow", COAT, torrance_sparrow, at_most=None),
     Entry(
         "torrance_sparrow_facets_narrow",

@@ -9,6 +9,7 @@ from motes.arrays import NUMPY
 from motes.directions import Geometry, Vector
 from motes.models import (
     BRDF,
+    EON,
     Conductor,
     Dielectric,
     Dust,
@@ -32,6 +33,7 @@ MODELS: dict[str, BRDF] = {
     "lambert": Lambert(K_d=(0.8, 0.5, 0.2)),
     "oren_nayar": PLASTER,
     "oren_nayar_rough": OrenNayar(K_d=(1.0, 0.5, 0.25), sigma_d=1.2),
+    "eon": EON(rho=(1.0, 0.5, 0.25), r=0.9),
     "torrance_sparrow": COAT,
     "facets_wide_dielectric": TorranceSparrow(1.0, 0.6, "facets", Dielectric((1.33, 1.5, 1.9))),
     "facets_narrow_schlick": TorranceSparrow((1.0, 0.9, 0.8), 0.1, "facets", Schlick(0.05)),

@@ -18,7 +18,7 @@ from catalogue import ENTRIES, SPECIAL, SPECIAL_WI, SPECIAL_WO, Entry, dense_alb
 from motes.errors import DataError, ParameterError
 from motes.kernels import engine
 from motes.models import BRDF, Dust, DustLayer, Fresnel, Lambert, OrenNayar, Sum, TorranceSparrow, registered
-from motes.parameters import Parameter, Parametrised
+from motes.parameters import Parameter, Parametrised, Role
 
 every_entry = pytest.mark.parametrize("entry", ENTRIES, ids=str)
 
@@ -280,7 +280,8 @@ def test_known_spherical_albedos(entry: Entry) -> None:
 def test_no_more_light_leaves_than_arrives(entry: Entry) -> None:
     """Of uniform light, with every reflectance at its largest, 1."""
     assert entry.at_most is not None
-    white = {slot.name: 1.0 for slot in entry.model.slots() if slot.parameter.name in ("K_d", "K_s", "w")}
+    of_light = (Role.DIFFUSE_COLOUR, Role.HIGHLIGHT_STRENGTH, Role.SINGLE_SCATTERING_ALBEDO)
+    white = {slot.name: 1.0 for slot in entry.model.slots(*of_light)}
     albedo = entry.model.with_parameters(white).spherical_albedo()
     assert np.all(albedo <= entry.at_most)
     assert np.all(albedo >= 0.03)

@@ -70,7 +70,13 @@ def with_jax() -> Library:
 
 LIBRARIES = {"torch": with_torch, "jax": with_jax}
 # JAX compiles every model for a second or more; these hold every class between them, and PyTorch takes all entries.
-FOR_JAX = ("dust_forward", "torrance_sparrow_conductor", "torrance_sparrow_schlick", "dust_on_plaster_and_varnish")
+FOR_JAX = (
+    "eon",
+    "dust_forward",
+    "torrance_sparrow_conductor",
+    "torrance_sparrow_schlick",
+    "dust_on_plaster_and_varnish",
+)
 BOTH = [("torch", entry) for entry in ENTRIES] + [("jax", entry) for entry in ENTRIES if entry.name in FOR_JAX]
 every_entry_of_both = pytest.mark.parametrize(
     ("library", "entry"), BOTH, ids=[f"{x}-{y}" for x, y in BOTH], indirect=["library"]

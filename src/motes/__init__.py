@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from motes.measurements import Measurement, read
     from motes.models import (
         BRDF,
+        EON,
         Conductor,
         Dielectric,
         Dust,
@@ -37,6 +38,7 @@ _HOMES = {
     "Measurement": "measurements",
     "read": "measurements",
     "BRDF": "models",
+    "EON": "models",
     "Conductor": "models",
     "Dielectric": "models",
     "Dust": "models",
@@ -68,6 +70,7 @@ def __dir__() -> list[str]:
 
 __all__ = [
     "BRDF",
+    "EON",
     "Conductor",
     "Dielectric",
     "Dust",

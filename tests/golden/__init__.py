@@ -80,3 +80,12 @@ def scatmech(source: str, model: str) -> Rows:
     for w, theta, phi in (("wi", columns["theta_i"], zero), ("wo", columns["theta_r"], columns["dphi"])):
         columns[w] = np.stack([np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)], axis=-1)
     return columns
+
+
+def extended() -> Rows:
+    """The columns of extended.csv and the directions ``wi, wo`` (N, 3); the table is beside the checkout, or the test is skipped."""
+    columns = {name: np.array(text, np.float64) for name, text in _read("whole", "extended.csv").items()}
+    zero = np.zeros_like(columns["dphi"])
+    for w, theta, phi in (("wi", columns["theta_i"], zero), ("wo", columns["theta_r"], columns["dphi"])):
+        columns[w] = np.stack([np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)], axis=-1)
+    return columns

@@ -114,6 +114,48 @@ export const MODELS: Record<string, ModelDeclaration> = {
       }
     ]
   },
+  "eon": {
+    "brdf": true,
+    "summary": "A rough diffuse surface that loses no light: with rho = 1 it reflects all of it at every roughness and angle.",
+    "fields": [
+      {
+        "kind": "parameter",
+        "name": "rho",
+        "symbol": "\\rho",
+        "unit": "",
+        "meaning": "colour that the surface has after one reflection; 1 loses no light",
+        "value": 0.5,
+        "low": 0,
+        "high": 1,
+        "open": false,
+        "typical": [
+          0,
+          1
+        ],
+        "perChannel": true,
+        "role": "diffuse_colour",
+        "advice": "EON is an albedo: scale radiances to at most 1, or take oren_nayar, which allows any K_d"
+      },
+      {
+        "kind": "parameter",
+        "name": "r",
+        "symbol": "r",
+        "unit": "",
+        "meaning": "roughness of the diffuse part; 0 is Lambert",
+        "value": 0.3,
+        "low": 0,
+        "high": 1,
+        "open": false,
+        "typical": [
+          0,
+          1
+        ],
+        "perChannel": false,
+        "role": "diffuse_roughness",
+        "advice": ""
+      }
+    ]
+  },
   "torrance_sparrow": {
     "brdf": true,
     "summary": "Mirror-like facets whose tilt theta_h is distributed as exp(-(theta_h/sigma_s)^2).",

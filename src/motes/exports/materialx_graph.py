@@ -105,6 +105,8 @@ class Graph:
         roughness = self.computed(lobe.roughness, slots)
         if lobe.reflection is Reflection.DIFFUSE:
             inputs = {"color": color, "roughness": roughness, "normal": normal}
+            if lobe.preserving:  # EON itself
+                inputs["energy_compensation"] = Value("value", "true", "boolean")
             return self.node("oren_nayar_diffuse_bsdf", "BSDF", inputs, "diffuse")
         share = self.computed(lobe.normal, slots)
         inputs = {

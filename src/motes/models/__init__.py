@@ -12,6 +12,7 @@ from motes.models.naming import register, registered, unregister
 from motes.models.standard import StandardLobe
 from motes.models.lambert import Lambert
 from motes.models.oren_nayar import OrenNayar
+from motes.models.eon import EON
 from motes.models.torrance_sparrow import TorranceSparrow
 from motes.models.dust import Dust, DustLayer
 from motes.models.fresnel import Conductor, Dielectric, Fresnel, Schlick
@@ -21,6 +22,7 @@ from motes.models.expressions import describe, parse
 
 __all__ = [
     "BRDF",
+    "EON",
     "Component",
     "Conductor",
     "CosineLobe",

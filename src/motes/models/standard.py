@@ -30,6 +30,8 @@ class StandardLobe:
         Beckmann: never a square root or a square of these.
     tint
         A constant colour that multiplies `reflectance`; none where it is empty.
+    preserving
+        Of a diffuse one: it is EON, the energy-preserving form of that lobe, where a program has it; `roughness` is EON's r then.
     """
 
     reflection: Reflection
@@ -37,6 +39,7 @@ class StandardLobe:
     normal: Array = 1.0
     roughness: Array = 0.0
     tint: tuple[float, ...] = ()
+    preserving: bool = False
 
     def scaled(self, factor: Array) -> StandardLobe:
         """The lobe seen through something that lets a share of its light pass."""
