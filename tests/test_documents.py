@@ -107,6 +107,7 @@ NEEDS: dict[str, list[tuple[Callable[[Path], dict[str, Any]], ...]]] = {
     "docs/engine.md": [(surface,), (texels,)],
     "docs/exports.md": [(dried,), (surface,)],
     "docs/maps.md": [(paint_map,), (own_map,), (fitted_map,)],
+    "docs/real_dusts.md": [(dried,)],
     "docs/viewer.md": [(fitted,)],
 }
 ELSEWHERE = {

@@ -18,6 +18,7 @@ def age(
     from_: Annotated[str | None, Parameter(name="--from")] = None,
     hours: float | None = None,
     given: Literal["start", "end"] | None = None,
+    dust: str | None = None,
     set: Annotated[tuple[str, ...], Parameter(negative="")] = (),
     output: Annotated[str | None, Parameter(name=["--output", "-o"])] = None,
     common: Common = Common(),  # noqa: B008 (an immutable value)
@@ -40,6 +41,9 @@ def age(
     given
         Whether the material is what it is before ("start") or what comes out ("end"). By default the end for drying,
         the start for dust and rust.
+    dust
+        What the dust is made of, for w and g by published optics: desert, desert_coarse, sahara, mountain, soil, soot, volcanic_ash, mars or
+        snow.
     set
         NAME=VALUE: an option of the phenomenon, such as tau_growth=1; repeat for more.
     output
@@ -51,13 +55,23 @@ def age(
     from motes.cli.printed_tables import material_trends
     from motes.errors import MotesError
     from motes.models import describe
+    from motes.models.dust_optics import dust_optics
 
     options = numbers(set, "--set")
     clash = [name for name in ("hours", "source", "given") if name in options]
     if clash:
         raise MotesError(f"--set {clash[0]} is not an option of a phenomenon", f"Write --{clash[0]} instead")
     source = None if from_ is None else paths.material_of(from_)
-    aged = happen(paths.material_of(material), phenomenon, hours=hours, source=source, given=given, **options)
+    target, optics = paths.material_of(material), None
+    if dust is not None:
+        optics = dust_optics(dust)
+        if phenomenon != "dust":
+            raise MotesError(f"--dust {dust} does not go with --phenomenon {phenomenon}", "Write --phenomenon dust")
+        other = "--from" if source else next((f"--set {name}" for name in ("w", "g") if name in options), None)
+        if other:
+            raise MotesError(f"both --dust and {other} say what the dust is", "Give one of them")
+        options["w"], options["g"] = optics.values(target.channels, target.wavelengths)
+    aged = happen(target, phenomenon, hours=hours, source=source, given=given, **options)
     file = Path(output) if output is not None else Path(f"{paths.slug(aged.name)}.json")
     if file.is_dir():
         raise MotesError(f"{file} is a folder", f"Name a file, such as -o {file / 'aged.json'}")
@@ -75,6 +89,8 @@ def age(
                 f"{phenomenon.replace('_', ' ')}{course}, {first:g} to {last:g} h; at the {step['given']} it is as given",
             ),
         ]
+        if optics is not None:
+            rows.append(("dust", f"{optics.words}: {optics.source}"))
         console.print_facts(rows)
         print()
         console.print_table(material_trends(aged))
