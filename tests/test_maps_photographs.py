@@ -46,7 +46,11 @@ def test_pictures_become_a_map_that_fits(tmp_path: Path, suffix: str) -> None:
     factor = exposure * irradiance * np.cos(np.radians(THETA))
     names = photographs(tmp_path / "shots", K_d[None] / np.pi * factor[:, None, None, None], suffix)
     rows = [f"{n},{t},{p},{e},{irradiance}" for n, t, p, e in zip(names, THETA, PHI, exposure, strict=True)]
-    table = "# a rig\nfile,theta_i_deg,phi_i_deg,exposure,irradiance,note_iso\n" + "\n".join(f"{row},400" for row in rows) + "\n"
+    table = (
+        "# a rig\nfile,theta_i_deg,phi_i_deg,exposure,irradiance,note_iso\n"
+        + "\n".join(f"{row},400" for row in rows)
+        + "\n"
+    )
     (tmp_path / "shots" / "lights.csv").write_text(table)
     stack = maps.import_images(tmp_path / "shots", tmp_path / "out.zarr", chunk=4)
     assert (stack.shape, stack.sizes, stack.name) == ((9, 7), (1, 4, 3), "shots")
