@@ -19,7 +19,20 @@ from scipy.integrate import quad
 from golden import Rows, published
 from motes.arrays import NUMPY
 from motes.directions import Geometry, Vector
-from motes.models import BRDF, EON, Conductor, Dielectric, Dust, DustLayer, Lambert, OrenNayar, Schlick, TorranceSparrow
+from motes.models import (
+    BRDF,
+    EON,
+    GGX,
+    Beckmann,
+    Conductor,
+    Dielectric,
+    Dust,
+    DustLayer,
+    Lambert,
+    OrenNayar,
+    Schlick,
+    TorranceSparrow,
+)
 
 AtRows = Callable[[Rows], tuple[BRDF, NDArray[np.float64]]]
 
@@ -94,8 +107,7 @@ def smooth_oren_nayar(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
 
 
 def eon(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
-    dphi = r["phi_r"] - r["phi_i"]
-    return EON(column(r["K_d"]), r["w"]), published.eon(r["theta_i"], r["theta_r"], dphi, r["K_d"], r["w"])
+    return EON(column(r["K_d"]), r["w"]), published.eon(*angles(r), r["K_d"], r["w"])
 
 
 def torrance_sparrow(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
@@ -146,6 +158,30 @@ def torrance_sparrow_conductor(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
 def torrance_sparrow_schlick(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
     model = TorranceSparrow(0.7, r["sigma_s"], fresnel=Schlick(column(r["w"])))
     return model, 0.7 * r["rho_s"] * (r["w"] + (1 - r["w"]) * (1 - r["cos_theta_d"]) ** 5)
+
+
+def angles(r: Rows) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    return r["theta_i"], r["theta_r"], r["phi_r"] - r["phi_i"]
+
+
+def schlick(r: Rows) -> NDArray[np.float64]:
+    return r["w"] + (1 - r["w"]) * (1 - r["cos_theta_d"]) ** 5
+
+
+def ggx(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
+    alpha = 0.05 + r["sigma_s"]
+    return GGX(column(r["w"]), alpha), r["w"] * published.ggx(*angles(r), alpha)
+
+
+def ggx_schlick(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
+    alpha = 0.05 + r["sigma_s"]
+    return GGX(0.7, alpha, Schlick(column(r["w"]))), 0.7 * schlick(r) * published.ggx(*angles(r), alpha)
+
+
+def beckmann(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
+    alpha = 0.1 + r["sigma_s"]
+    model = Beckmann(0.7, alpha, Dielectric(column(1.2 + r["w"])))
+    return model, 0.7 * fresnel(r["cos_theta_d"], 1.2 + r["w"]) * published.beckmann(*angles(r), alpha)
 
 
 def dust(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
@@ -250,6 +286,9 @@ ENTRIES = (
         torrance_sparrow_conductor,
     ),
     Entry("torrance_sparrow_schlick", TorranceSparrow(1.0, 0.3, "facets", Schlick(0.05)), torrance_sparrow_schlick),
+    Entry("ggx", GGX((1.0, 0.5), 0.25), ggx),
+    Entry("ggx_schlick", GGX(1.0, 0.6, Schlick((0.05, 0.5, 0.9))), ggx_schlick),
+    Entry("beckmann", Beckmann(1.0, 0.4, Dielectric(1.5)), beckmann),
     Entry(
         "dust_isotropic", Dust(1.0, 0.0), dust, directional=isotropic_dust, spherical=(2 * (1 - np.log(2)) / 3, 1e-6)
     ),

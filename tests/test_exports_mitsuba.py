@@ -12,10 +12,12 @@ import pytest
 
 from motes import Material
 from motes.ageing import age
+from motes.arrays import NUMPY
 from motes.errors import DataError
 from motes.exports import export, mitsuba
 from motes.exports.subject import subject
-from motes.models import BRDF, Lambert, TorranceSparrow
+from motes.models import BRDF, GGX, Beckmann, Conductor, Dielectric, Lambert, TorranceSparrow
+from motes.models.microfacet import Microfacet
 from shader_support import MODELS, SPECTRAL
 
 
@@ -91,6 +93,36 @@ def test_stock_reflects_as_much(mi: Any, name: str) -> None:
     _, weight = bsdf.sample(mi.BSDFContext(), si, mi.Float(u[0]), mi.Point2f(u[1], u[2]))
     albedo = np.array(weight).reshape(3, -1).mean(axis=1)
     np.testing.assert_allclose(albedo, np.broadcast_to(model.directional_albedo(wi), 3), rtol=0.12)
+
+
+@pytest.mark.parametrize(
+    ("model", "tolerance"),
+    [
+        (GGX((1.0, 0.5, 0.2), 0.3), 2e-6),
+        (GGX((1.0, 0.5, 0.2), 0.7, Dielectric((1.5, 1.33, 2.0))), 5e-6),
+        (GGX(0.9, 0.3, Conductor((0.2, 0.9, 1.1), (3.9, 2.4, 2.3))), 5e-6),
+        (Beckmann(0.9, 0.4), 0.007),  # Mitsuba has Walter's rational masking, right to 0.3 % each way
+    ],
+)
+def test_facets_are_mitsubas_but_for_the_correlation(mi: Any, model: Microfacet, tolerance: float) -> None:
+    """`roughconductor`, an independent implementation: the same D, F and Lambda; it multiplies the masking of both directions."""
+    stock = mitsuba.stock(subject(model))
+    assert stock["distribution"] == ("ggx" if isinstance(model, GGX) else "beckmann")
+    wi, wo = some()
+    Lambda = [model.masked(NUMPY, w[:, 2], np.sqrt(1 - w[:, 2] ** 2)) / w[:, 2] for w in (wi, wo)]
+    separate = (1 + Lambda[0] + Lambda[1]) / ((1 + Lambda[0]) * (1 + Lambda[1]))
+    wanted = np.broadcast_to(model.eval(wi, wo) * (wi[:, 2] * separate)[:, None], (len(wi), 3))
+    np.testing.assert_allclose(evaluated(mi, mi.load_dict(stock), wi, wo), wanted, rtol=tolerance, atol=1e-6)
+    assert separate.min() < 0.95  # and that is what differs
+
+
+def test_an_index_takes_its_place_only_where_there_is_room() -> None:
+    """Parts of a blend share out 1: a white base leaves none for all that a coat could reflect."""
+    coat = GGX(1.0, 0.2, Dielectric(1.5))
+    assert "eta" in mitsuba.stock(subject(coat))
+    blend = mitsuba.stock(subject(Lambert(0.9) + coat))
+    assert blend["second"]["material"] == "none"
+    assert blend["weight"] == pytest.approx(0.04 / 0.94)
 
 
 def test_a_blend_is_a_sum() -> None:

@@ -8,7 +8,9 @@ from numpy.testing import assert_allclose
 
 import golden
 from catalogue import column, dense_albedo, direction, upper_directions
-from motes.models import EON, Lambert
+from motes.arrays import NUMPY
+from motes.directions import Geometry, Vector
+from motes.models import EON, GGX, Beckmann, Lambert, TorranceSparrow
 
 # ---------------------------------------------------------------- EON
 
@@ -36,3 +38,68 @@ def test_eon_is_continuous_where_its_two_forms_meet() -> None:
     wi = direction(0.7)
     one, other = (EON(0.8, 1.0).eval(wi, direction(0.9, np.pi / 2 + d)) for d in (-1e-9, 1e-9))
     assert_allclose(one, other, rtol=1e-8)
+
+
+# ---------------------------------------------------------------- GGX and Beckmann
+
+FACETS = {"ggx": GGX, "beckmann": Beckmann}
+
+
+@pytest.mark.parametrize("name", FACETS)
+def test_facets_of_the_table(name: str) -> None:
+    """50-digit values that others computed; float64 ends at 1e-308, and a tail exp(-q) is good to q times the precision of q."""
+    rows = golden.extended()
+    value = FACETS[name](1.0, rows["alpha"]).eval(rows["wi"], rows["wo"])[:, 0]
+    expected = rows[f"f_{name}"]
+    tail = np.maximum(1.0, -np.log(np.maximum(rows["D_beckmann"], 1e-300))) if name == "beckmann" else 1.0
+    assert np.all(np.abs(value - expected) <= 2e-12 * tail * expected + 1e-300)
+    assert np.sum(expected > 1e-6) > 200
+
+
+@pytest.mark.parametrize("name", FACETS)
+def test_narrow_facets_lose_nothing(name: str) -> None:
+    """The masking is that of the distribution: seen from anywhere, the facets in sight fill the view (Heitz 2014, equation (35))."""
+    for theta_i in (0.0, 0.8, 1.3):
+        assert_allclose(FACETS[name](1.0, 0.003).directional_albedo(direction(theta_i)), 1.0, atol=1e-3)
+
+
+@pytest.mark.parametrize("name", FACETS)
+@pytest.mark.parametrize("alpha", [0.1, 0.5, 1.0])
+def test_facets_in_sight_fill_the_view(name: str, alpha: float) -> None:
+    """The integral of D max(0, wi . wh) is the view's area cos + cos Lambda: by quadrature over facets, which `masked` knows nothing of."""
+    model = FACETS[name](1.0, alpha)
+    x, w = np.polynomial.legendre.leggauss(200)
+    tan = alpha * np.tan(0.25 * np.pi * (x + 1))  # dense where the facets are
+    theta, phi = np.arctan(tan), np.pi * np.linspace(0, 2, 721)[:-1]
+    measure = 0.25 * np.pi * w * alpha * (1 + (tan / alpha) ** 2) / (1 + tan**2) * np.sin(theta) * 2 * np.pi / len(phi)
+    wh = np.stack(
+        [
+            np.outer(np.sin(theta), np.cos(phi)),
+            np.outer(np.sin(theta), np.sin(phi)),
+            np.outer(np.cos(theta), 1 + 0 * phi),
+        ],
+        -1,
+    )
+    D = model.distribution(NUMPY, Geometry(NUMPY, Vector.split(wh), Vector.split(wh)))
+    for theta_i in (0.0, 0.7, 1.4, 1.57):
+        seen = np.sum(D * measure[:, None] * np.maximum(wh @ direction(theta_i), 0))
+        assert_allclose(seen, np.cos(theta_i) + model.masked(NUMPY, np.cos(theta_i), np.sin(theta_i)), rtol=2e-4)
+
+
+@pytest.mark.parametrize("name", FACETS)
+@pytest.mark.parametrize("theta_i", [0.3, 1.2, 1.5])
+def test_visible_facets_waste_no_samples(name: str, theta_i: float) -> None:
+    """No weight exceeds K_s (that of all facets grows without bound), and few samples are lost below the horizon."""
+    model = FACETS[name](1.0, 0.4)
+    wo, _, weight = model.sample(direction(theta_i), np.random.default_rng(1).random((20_000, 2)))
+    assert weight.max() <= 1 + 1e-6
+    assert np.mean(wo[:, 2] <= 0) < (0.05 if name == "ggx" else 0.35)
+    assert weight.std() < 0.5
+
+
+def test_a_narrow_beckmann_is_torrance_sparrow_with_normalised_facets() -> None:
+    """Near the mirror direction, where tan(theta_h) is theta_h and no facet hides another."""
+    for theta_r in (0.39, 0.4, 0.42):
+        wi, wo = direction(0.4), direction(theta_r, np.pi)
+        facets = TorranceSparrow(1.0, 0.01, "facets").eval(wi, wo)
+        assert_allclose(Beckmann(1.0, 0.01).eval(wi, wo), facets, rtol=5e-4)

@@ -47,7 +47,7 @@ def D(alpha: Array, geometry: Geometry) -> Array:
 
 
 @dataclass(frozen=True)
-class GGXLobe(Lobe):
+class NewcomerLobe(Lobe):
     """Mirror at a facet whose normal has the density D cos(theta_h)."""
 
     alpha: Array
@@ -66,11 +66,11 @@ class GGXLobe(Lobe):
 
 
 @dataclass(frozen=True, eq=False)
-class GGX(BRDF):
+class Newcomer(BRDF):
     """A highlight with long tails, Walter et al. 2007, with the height-correlated shadowing of Heitz 2014."""
 
-    words: ClassVar[str] = "GGX"
-    approximation: ClassVar[str] = "GGX: the same lobe, with F = 1."
+    words: ClassVar[str] = "Newcomer"
+    approximation: ClassVar[str] = "Newcomer: GGX's lobe, with F = 1."
     K_s: Array = parameter(
         0.3, bounds=(0, float("inf")), typical=(0, 1), symbol="K_s", doc="share of light that facets reflect",
         per_channel=True, shared_in_fit=True, role=Role.HIGHLIGHT_STRENGTH,
@@ -86,7 +86,7 @@ class GGX(BRDF):
         return self.K_s * D(self.alpha, geometry) * 0.5 / smith
 
     def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
-        return [Component(self.formula, GGXLobe(self.alpha), self.K_s)]
+        return [Component(self.formula, NewcomerLobe(self.alpha), self.K_s)]
 
     def standard_lobes(self, xp: Array, values: Self, cos_view: Array) -> list[StandardLobe]:
         return [StandardLobe(Reflection.GLOSSY, values.K_s, roughness=values.alpha)]
@@ -95,16 +95,16 @@ class GGX(BRDF):
 # END
 # ---------------------------------------------------------------- what is checked
 
-PAINT = "lambert + ggx"
+PAINT = "lambert + newcomer"
 TRUTH = {"K_d": np.array([0.3, 0.2, 0.1]), "K_s": 0.12, "alpha": 0.18}
 Floats = NDArray[np.float64]
 
 
 @pytest.fixture(autouse=True)
 def known() -> Iterator[None]:
-    register("ggx")(GGX)
+    register("newcomer")(Newcomer)
     yield
-    unregister("ggx")
+    unregister("newcomer")
 
 
 def paint() -> BRDF:
@@ -137,11 +137,11 @@ def test_values_are_those_of_walter_and_heitz() -> None:
     d = alpha**2 / (np.pi * np.cos(theta_h) ** 4 * (alpha**2 + np.tan(theta_h) ** 2) ** 2)
     Lambda = [(np.sqrt(1 + (alpha * np.tan(t)) ** 2) - 1) / 2 for t in (theta_i, theta_o)]
     expected = 0.7 * d / (1 + sum(Lambda)) / (4 * np.cos(theta_i) * np.cos(theta_o))
-    np.testing.assert_allclose(GGX(0.7, alpha).eval(wi, wo)[:, 0], expected, rtol=1e-9)
+    np.testing.assert_allclose(Newcomer(0.7, alpha).eval(wi, wo)[:, 0], expected, rtol=1e-9)
 
 
 def test_it_samples_what_it_says() -> None:
-    model, wi = GGX(0.8, 0.3), np.array([0.6, 0.0, 0.8])
+    model, wi = Newcomer(0.8, 0.3), np.array([0.6, 0.0, 0.8])
     u = np.random.default_rng(0).random((200_000, 2))
     _, _, weight = model.sample(np.broadcast_to(wi, (len(u), 3)), u)
     assert weight.mean() == pytest.approx(float(dense_albedo(model, wi)[0]), rel=0.01)
@@ -174,7 +174,7 @@ def test_fit_and_report(tmp_path: Path) -> None:
     page = tmp_path / "report.html"
     fit.report(page)
     text = page.read_text(encoding="utf-8")
-    assert "Lambert + GGX" in text
+    assert "Lambert + Newcomer" in text
     assert "share of light that facets reflect" in text
 
 
@@ -184,7 +184,7 @@ def test_view(tmp_path: Path) -> None:
     view.save(page)
     text = page.read_text(encoding="utf-8")
     assert "uniform float motes_alpha" in text
-    assert "ggx_eval_with(" in text  # the library of pieces has it, for materials that are dropped
+    assert "newcomer_eval_with(" in text  # the library of pieces has it, for materials that are dropped
 
 
 @pytest.mark.slow
@@ -195,7 +195,7 @@ def test_view_in_a_browser(tmp_path: Path) -> None:
     wi, wo = upper_directions(300, 7), upper_directions(300, 8)
     page = tmp_path / "viewer.html"
     motes.view(Material(paint(), name="new paint", channels=("R", "G", "B"))).save(page)
-    dropped = parse("dust_layer(ggx(K_s=0.2, alpha=0.4) + oren_nayar, tau=0.3)").model
+    dropped = parse("dust_layer(newcomer(K_s=0.2, alpha=0.4) + oren_nayar, tau=0.3)").model
     with driver() as playwright, browser(playwright) as running, Viewed(running, page) as viewed:
         viewed.settled()
         np.testing.assert_allclose(viewed.evaluate(0, wi, wo), paint().eval(wi, wo), rtol=1e-4, atol=1e-5)
@@ -219,10 +219,10 @@ def test_exports(to: str, tmp_path: Path) -> None:
     done = export(material, to, tmp_path / f"paint{TARGETS[to].suffix}")
     texts = [f.read_bytes().decode("utf-8", "replace") for f in done.files]
     if to not in BY_LOBES:
-        assert not any("GGX" in note for note in done.notes)
+        assert not any("Newcomer" in note for note in done.notes)
     else:
-        assert GGX.approximation in done.notes
-        assert GGX.approximation in " ".join(" ".join(texts).replace("//", " ").split())
+        assert Newcomer.approximation in done.notes
+        assert Newcomer.approximation in " ".join(" ".join(texts).replace("//", " ").split())
     if to == "mitsuba":
         assert '<float name="alpha" value="0.18" />' in texts[0]
         assert json.loads(texts[1])["model"] == PAINT
@@ -239,7 +239,7 @@ def test_mitsuba_plugin() -> None:
 
     mi = load_mitsuba()
     register_plugins()  # the variant may have been set before the model was known
-    bsdf = load_scene({"type": "motes_ggx", "K_s": 0.4, "alpha": 0.25})
+    bsdf = load_scene({"type": "motes_newcomer", "K_s": 0.4, "alpha": 0.25})
     flags = mi.BSDFFlags
     assert bsdf.component_count() == 1
     assert bsdf.flags(0) & flags.GlossyReflection
@@ -247,7 +247,7 @@ def test_mitsuba_plugin() -> None:
     si, wi, wo = mi.SurfaceInteraction3f(), [0.48, 0.0, math.sqrt(1 - 0.48**2)], [-0.36, 0.48, 0.8]
     si.wi = wi
     value = np.ravel(bsdf.eval(mi.BSDFContext(), si, mi.Vector3f(wo)))
-    np.testing.assert_allclose(value, GGX(0.4, 0.25).eval(wi, wo)[0] * wo[2], rtol=2e-5)
+    np.testing.assert_allclose(value, Newcomer(0.4, 0.25).eval(wi, wo)[0] * wo[2], rtol=2e-5)
 
 
 @pytest.mark.parametrize("phenomenon", ["drying_paint", "drying_surface", "rusting"])
@@ -261,8 +261,8 @@ def test_ageing_uses_its_own_highlight(phenomenon: str) -> None:
         assert set(aged.trends) == {"K_d", "K_s", "alpha"}
         assert end["alpha"] / start["alpha"] == pytest.approx(1.8, rel=0.05)
         assert heights[1] / heights[0] == pytest.approx(0.3, rel=0.15)  # K_s_left, of the height
-    under = age(motes.DustLayer(motes.Lambert(0.4) + GGX()), "drying_surface", hours=10)
-    assert describe(under.brdf) == "dust_layer(lambert + ggx)"
+    under = age(motes.DustLayer(motes.Lambert(0.4) + Newcomer()), "drying_surface", hours=10)
+    assert describe(under.brdf) == "dust_layer(lambert + newcomer)"
 
 
 def test_map_fit(tmp_path: Path) -> None:

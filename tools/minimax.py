@@ -1,11 +1,12 @@
-"""Derive the polynomials of `motes.printing.elementary`: minimax fits (Remez) in 40-digit arithmetic, then rounded.
+"""Derive the polynomials of `motes.printing.elementary` and `motes.models.beckmann`: minimax fits (Remez) in 40-digit arithmetic, rounded.
 
-    python tools/minimax.py            # prints the tables that elementary.py holds
+    python tools/minimax.py            # prints the tables that the two hold
 
 Each is the polynomial P of a given degree with the smallest largest |weight(x) (F(x) - P(x))| on an interval:
 
 - exp(r) = 1 + r + r^2 P(r) on |r| <= ln(2)/2, the weight that of a relative error of exp(r) - 1, so that expm1 can share it;
-- asin(x) = x + x^3 P(x^2) on 0 <= x <= 0.7072, a relative error of asin(x).
+- asin(x) = x + x^3 P(x^2) on 0 <= x <= 0.7072, a relative error of asin(x);
+- 1/sqrt(pi) - a exp(a^2) erfc(a) = P(t), t = (a - 2)/(a + 2), on 0 <= a <= 6, weighted by the exp(-a^2) that multiplies it in Beckmann's masking.
 
 ln(2) is split in two numbers, the first short enough that its product with any exponent is exact.
 """
@@ -66,6 +67,13 @@ def main() -> None:
         x = mp.sqrt(z)
         return (mp.asin(x) - x) / (x * z)
 
+    def slope(t: mp.mpf) -> mp.mpf:
+        return 2 * (1 + t) / (1 - t)
+
+    def masked(t: mp.mpf) -> mp.mpf:
+        a = slope(t)
+        return 1 / mp.sqrt(mp.pi) - a * mp.exp(a * a) * mp.erfc(a)
+
     half = mp.log(2) / 2
     fits = (
         ("EXP", exp_tail, lambda r: r * r / abs(mp.expm1(r)), -half, half, {np.float32: 4, np.float64: 9}),
@@ -77,6 +85,7 @@ def main() -> None:
             mp.mpf("0.7072") ** 2,
             {np.float32: 6, np.float64: 17},
         ),
+        ("MASKED", masked, lambda t: mp.exp(-(slope(t) ** 2)), -1, 0.5, {np.float64: 14}),
     )
     for name, F, weight, a, b, degrees in fits:
         for scalar, degree in degrees.items():

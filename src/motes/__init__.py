@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from motes.models import (
         BRDF,
         EON,
+        GGX,
+        Beckmann,
         Conductor,
         Dielectric,
         Dust,
@@ -39,6 +41,8 @@ _HOMES = {
     "read": "measurements",
     "BRDF": "models",
     "EON": "models",
+    "GGX": "models",
+    "Beckmann": "models",
     "Conductor": "models",
     "Dielectric": "models",
     "Dust": "models",
@@ -71,6 +75,8 @@ def __dir__() -> list[str]:
 __all__ = [
     "BRDF",
     "EON",
+    "GGX",
+    "Beckmann",
     "Conductor",
     "Dielectric",
     "Dust",

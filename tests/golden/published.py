@@ -23,6 +23,38 @@ def _rows(one: Callable[..., Any]) -> Callable[..., Floats]:
     return of_columns
 
 
+def _facets(theta_i: Any, theta_r: Any, dphi: Any) -> tuple[Any, Any]:
+    """cos(theta_i) cos(theta_r), and the angle theta_h of the half vector."""
+    i = (mp.sin(theta_i), 0, mp.cos(theta_i))
+    r = (mp.sin(theta_r) * mp.cos(dphi), mp.sin(theta_r) * mp.sin(dphi), mp.cos(theta_r))
+    h = [a + b for a, b in zip(i, r, strict=True)]
+    return i[2] * r[2], mp.atan2(mp.hypot(h[0], h[1]), h[2])
+
+
+@_rows
+def ggx(theta_i: Any, theta_r: Any, dphi: Any, alpha: Any) -> Any:
+    """Walter et al. 2007, (33), with Heitz' Lambda, (72), and his height-correlated masking, (99); F = 1."""
+    cosines, theta_h = _facets(theta_i, theta_r, dphi)
+    D = alpha**2 / (mp.pi * mp.cos(theta_h) ** 4 * (alpha**2 + mp.tan(theta_h) ** 2) ** 2)
+    Lambda = [(mp.sqrt(1 + (alpha * mp.tan(t)) ** 2) - 1) / 2 for t in (theta_i, theta_r)]
+    return D / (1 + sum(Lambda)) / (4 * cosines)
+
+
+@_rows
+def beckmann(theta_i: Any, theta_r: Any, dphi: Any, alpha: Any) -> Any:
+    """Walter et al. 2007, (25), with Heitz' Lambda, (66), and his height-correlated masking, (99); F = 1."""
+    cosines, theta_h = _facets(theta_i, theta_r, dphi)
+    D = mp.exp(-((mp.tan(theta_h) / alpha) ** 2)) / (mp.pi * alpha**2 * mp.cos(theta_h) ** 4)
+
+    def Lambda(theta: Any) -> Any:
+        if theta == 0:
+            return mp.mpf(0)
+        a = 1 / (alpha * mp.tan(theta))
+        return (mp.exp(-(a**2)) / (a * mp.sqrt(mp.pi)) - mp.erfc(a)) / 2
+
+    return D / (1 + Lambda(theta_i) + Lambda(theta_r)) / (4 * cosines)
+
+
 def _fujii(r: Any) -> tuple[Any, Any]:
     """A and B of Fujii's lobe."""
     A = 1 / (1 + (mp.mpf(1) / 2 - 2 / (3 * mp.pi)) * r)

@@ -215,6 +215,106 @@ export const MODELS: Record<string, ModelDeclaration> = {
       }
     ]
   },
+  "ggx": {
+    "brdf": true,
+    "summary": "Mirror-like facets with the long tails of ground glass: most polished, lacquered and metallic surfaces, better than Gaussian ones.",
+    "fields": [
+      {
+        "kind": "parameter",
+        "name": "K_s",
+        "symbol": "K_s",
+        "unit": "",
+        "meaning": "share of light that facets reflect, or its factor where there is a Fresnel term",
+        "value": 0.3,
+        "low": 0,
+        "high": null,
+        "open": false,
+        "typical": [
+          0,
+          1
+        ],
+        "perChannel": true,
+        "role": "highlight_strength",
+        "advice": ""
+      },
+      {
+        "kind": "parameter",
+        "name": "alpha",
+        "symbol": "\\alpha",
+        "unit": "",
+        "meaning": "roughness alpha of Walter et al.: a typical slope of the facets; neither its square nor its root",
+        "value": 0.2,
+        "low": 0.001,
+        "high": 1,
+        "open": false,
+        "typical": [
+          0.02,
+          0.8
+        ],
+        "perChannel": false,
+        "role": "highlight_width",
+        "advice": ""
+      },
+      {
+        "kind": "child",
+        "name": "fresnel",
+        "accepts": "fresnel",
+        "place": "fresnel",
+        "required": false,
+        "value": null
+      }
+    ]
+  },
+  "beckmann": {
+    "brdf": true,
+    "summary": "Mirror-like facets whose slopes are Gaussian: the highlight falls off faster than that of `GGX`.",
+    "fields": [
+      {
+        "kind": "parameter",
+        "name": "K_s",
+        "symbol": "K_s",
+        "unit": "",
+        "meaning": "share of light that facets reflect, or its factor where there is a Fresnel term",
+        "value": 0.3,
+        "low": 0,
+        "high": null,
+        "open": false,
+        "typical": [
+          0,
+          1
+        ],
+        "perChannel": true,
+        "role": "highlight_strength",
+        "advice": ""
+      },
+      {
+        "kind": "parameter",
+        "name": "alpha",
+        "symbol": "\\alpha",
+        "unit": "",
+        "meaning": "roughness alpha of Walter et al.: a typical slope of the facets; neither its square nor its root",
+        "value": 0.2,
+        "low": 0.001,
+        "high": 1,
+        "open": false,
+        "typical": [
+          0.02,
+          0.8
+        ],
+        "perChannel": false,
+        "role": "highlight_width",
+        "advice": ""
+      },
+      {
+        "kind": "child",
+        "name": "fresnel",
+        "accepts": "fresnel",
+        "place": "fresnel",
+        "required": false,
+        "value": null
+      }
+    ]
+  },
   "dust": {
     "brdf": true,
     "summary": "An opaque bed of small particles that scatter once.",

@@ -30,12 +30,14 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Numbers:
-    """A standard lobe as numbers: reflectance (C,) at normal and at grazing incidence, and roughness."""
+    """A standard lobe as numbers: reflectance (C,) at normal and at grazing incidence, and roughness; see `StandardLobe`."""
 
     reflection: Reflection
     normal: Floats
     grazing: Floats
     roughness: float
+    distribution: str = ""
+    index: tuple[Floats, Floats] | None = None
 
 
 def lobes(model: BRDF) -> list[Numbers]:
@@ -45,7 +47,12 @@ def lobes(model: BRDF) -> list[Numbers]:
         tint = np.asarray(lobe.tint or 1.0)
         grazing = np.broadcast_to(np.asarray(lobe.reflectance, np.float64) * tint, (model.channels,))
         normal = grazing * np.asarray(lobe.normal, np.float64)
-        return Numbers(lobe.reflection, normal, grazing.copy(), float(np.ravel(lobe.roughness)[0]))
+        index = None
+        if lobe.index is not None:
+            n, k = (np.broadcast_to(np.asarray(x, np.float64), (model.channels,)) for x in lobe.index)
+            index = n, k
+        roughness = float(np.ravel(lobe.roughness)[0])
+        return Numbers(lobe.reflection, normal, grazing.copy(), roughness, lobe.distribution, index)
 
     return [numbers(lobe) for lobe in model.standard_lobes(NUMPY, model, MEAN_COSINE)]
 

@@ -8,6 +8,7 @@ from a JSON file beside the XML, with its course over time.
 from __future__ import annotations
 
 import xml.etree.ElementTree as ElementTree
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -36,11 +37,12 @@ def limits(subject: Subject) -> list[str]:
     if subject.brdf.channels not in (1, 3):
         return [*said, "There are no stock plugins: theirs are colours of three channels here."]
     said.append(
-        f"{name}_stock blends stock plugins: smooth diffuse ones, and mirrors rough as Beckmann's alpha (Smith's shadowing, F at normal "
-        "incidence), in the place of rough diffuse lobes and of GGX in what follows."
+        f"{name}_stock blends stock plugins: smooth diffuse ones in the place of rough diffuse lobes, and mirrors with Smith's shadowing, GGX where "
+        "the model says GGX, else Beckmann of the same alpha; F is that of its refractive index where that leaves room for all parts, else F "
+        "at normal incidence."
     )
     said += losses(subject.brdf)
-    total = _total(lobes(subject.brdf))
+    total = _total(_with_indices(lobes(subject.brdf)))
     if total > 1:
         said.append(
             f"Together they would reflect {total:.3g} of the light; stock plugins reflect 1 at most, so they are scaled to it."
@@ -54,7 +56,7 @@ def stock(subject: Subject) -> dict[str, Any]:
     Mitsuba has no sum of BSDFs.  A blend ``(1 - weight) a + weight b`` is one where each part reflects the sum's brightest channel and the weights are its
     share in that.
     """
-    parts = lobes(subject.brdf)
+    parts = _with_indices(lobes(subject.brdf))
     scale = 1 / max(1.0, _total(parts))
     diffuse = np.broadcast_to(_diffuse(parts), 3) * scale
     plugins: list[tuple[Any, dict[str, Any], str]] = []
@@ -63,10 +65,16 @@ def stock(subject: Subject) -> dict[str, Any]:
     for lobe in _mirrors(parts):
         mirror = {
             "type": "roughconductor",
-            "material": "none",
-            "distribution": "beckmann",
+            "distribution": lobe.distribution or "beckmann",
             "alpha": lobe.roughness,
         }
+        if lobe.index is None:
+            mirror["material"] = "none"
+        else:
+            mirror |= {
+                key: {"type": "rgb", "value": np.broadcast_to(x, 3).tolist()}
+                for key, x in zip(("eta", "k"), lobe.index, strict=True)
+            }
         plugins.append((np.broadcast_to(lobe.normal, 3) * scale, mirror, "specular_reflectance"))
     return _blended(plugins)
 
@@ -106,6 +114,16 @@ def _check(subject: Subject) -> None:
         raise DataError(
             f"{subject.name} is not reciprocal, so it is no BRDF: {describe(subject.brdf)}", "Give dust form='brdf'"
         )
+
+
+def _with_indices(parts: list[Numbers]) -> list[Numbers]:
+    """The lobes as Mitsuba is to have them: `normal` is what multiplies the plugin's own F, that of an index or 1.
+
+    The parts of a blend share out 1 among them, and what multiplies an F is more than what it reflects: where that leaves no room for the
+    others, F at normal incidence takes its place.
+    """
+    exact = [lobe if lobe.index is None else replace(lobe, normal=lobe.grazing) for lobe in parts]
+    return exact if _total(exact) <= 1 else [replace(lobe, index=None) for lobe in parts]
 
 
 def _mirrors(parts: list[Numbers]) -> list[Numbers]:

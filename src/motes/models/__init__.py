@@ -14,6 +14,8 @@ from motes.models.lambert import Lambert
 from motes.models.oren_nayar import OrenNayar
 from motes.models.eon import EON
 from motes.models.torrance_sparrow import TorranceSparrow
+from motes.models.ggx import GGX
+from motes.models.beckmann import Beckmann
 from motes.models.dust import Dust, DustLayer
 from motes.models.fresnel import Conductor, Dielectric, Fresnel, Schlick
 from motes.models.composition import Layer, layer_of, on_base
@@ -23,6 +25,8 @@ from motes.models.expressions import describe, parse
 __all__ = [
     "BRDF",
     "EON",
+    "GGX",
+    "Beckmann",
     "Component",
     "Conductor",
     "CosineLobe",

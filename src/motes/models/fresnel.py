@@ -24,6 +24,10 @@ class Fresnel(Parametrised, ABC):
     def at_normal(self) -> Array:
         """`reflectance` at normal incidence, by arithmetic alone: what programs take that draw Schlick's curve from it."""
 
+    def index(self) -> tuple[Array, Array] | None:
+        """Refractive index and extinction, where the term is exactly theirs."""
+        return None
+
 
 @register("dielectric")
 @final
@@ -49,6 +53,9 @@ class Dielectric(Fresnel):
 
     def at_normal(self) -> Array:
         return equations.fresnel_normal(self.n, 0.0)
+
+    def index(self) -> tuple[Array, Array] | None:
+        return self.n, 0.0
 
 
 @register("conductor")
@@ -85,6 +92,9 @@ class Conductor(Fresnel):
 
     def at_normal(self) -> Array:
         return equations.fresnel_normal(self.n, self.k)
+
+    def index(self) -> tuple[Array, Array] | None:
+        return self.n, self.k
 
 
 @register("schlick")

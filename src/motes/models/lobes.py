@@ -49,6 +49,14 @@ class Lobe(ABC):
         return [(self, 1.0)]
 
 
+def mirrored(xp: Array, i: Vector, x: Array, y: Array, z: Array) -> Array:
+    """Directions (..., 3): `i` mirrored at facets along (x, y, z), of any length."""
+    scale = 1 / xp.sqrt(xp.maximum(x * x + y * y + z * z, 1e-30))
+    x, y, z = x * scale, y * scale, z * scale
+    twice = 2 * (i.x * x + i.y * y + i.z * z)
+    return xp.stack([twice * x - i.x, twice * y - i.y, twice * z - i.z])
+
+
 @dataclass(frozen=True)
 class CosineLobe(Lobe):
     """Proportional to cos(theta_r): for diffuse surfaces."""

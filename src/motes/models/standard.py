@@ -32,6 +32,10 @@ class StandardLobe:
         A constant colour that multiplies `reflectance`; none where it is empty.
     preserving
         Of a diffuse one: it is EON, the energy-preserving form of that lobe, where a program has it; `roughness` is EON's r then.
+    distribution
+        Of a glossy one: ``ggx`` or ``beckmann`` where it is exactly that distribution of facets; else empty, and each program takes the nearest.
+    index
+        Of a glossy one: refractive index n and extinction k where its Fresnel term is exactly theirs, for programs that compute it.
     """
 
     reflection: Reflection
@@ -40,6 +44,8 @@ class StandardLobe:
     roughness: Array = 0.0
     tint: tuple[float, ...] = ()
     preserving: bool = False
+    distribution: str = ""
+    index: tuple[Array, Array] | None = None
 
     def scaled(self, factor: Array) -> StandardLobe:
         """The lobe seen through something that lets a share of its light pass."""
