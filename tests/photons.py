@@ -78,7 +78,7 @@ def brdf(
     for number, (start, indices) in enumerate(groups):
         if len(indices):
             towards = wo[indices] if number == 0 else wi[None]
-            seen, _ = _followed(layer, start, towards, photons, seed + 7919 * number, orders, 1)  # other photons each
+            seen, _ = _estimated(layer, start, towards, photons, seed + 7919 * number, orders, 1)  # other photons each
             value[indices], error[indices] = seen.value, seen.error
     return Estimate(value, error)
 
@@ -92,48 +92,70 @@ def both(
     layer: Layer, wi: Any, wo: Any, photons: int = 2**16, *, seed: int = 1, orders: int = 2**60, threads: int = 1
 ) -> tuple[Estimate, Estimate]:
     """The BRDF towards each of ``wo`` and the directional albedo, of the same photons, all of which start at ``wi``."""
-    return _followed(layer, np.asarray(wi, np.float64), np.asarray(wo, np.float64), photons, seed, orders, threads)
+    return _estimated(layer, np.asarray(wi, np.float64), np.asarray(wo, np.float64), photons, seed, orders, threads)
+
+
+def pairs(layer: Layer, wi: Any, wo: Any, photons: int = 256, *, seed: int = 1) -> Floats:
+    """The BRDF [1/sr] of many pairs of directions (N, 3), with few photons each: a picture, grainy and unbiased."""
+    wi, wo = np.asarray(wi, np.float64), np.asarray(wo, np.float64)
+    if not len(wi):
+        return np.zeros(0)
+    grazing = (wo[:, 2] < wi[:, 2])[:, None]
+    start, towards = np.where(grazing, wo, wi), np.where(grazing, wi, wo)
+    return _followed(layer, start, towards[:, None], photons, seed, 2**60, 1)[0][:, 0]
 
 
 # ---------------------------------------------------------------- The photons
 
 
-def _followed(
+def _estimated(
     layer: Layer, wi: Floats, wo: Floats, photons: int, seed: int, orders: int, threads: int
 ) -> tuple[Estimate, Estimate]:
-    """Those that are scattered in the layer first, and those that reach the base untouched: each by photons of their own."""
+    """From one direction (3,) to some (K, 3), the errors from batches that are all alike."""
+    starts = np.broadcast_to(wi, (BATCHES, 3))
+    towards = np.broadcast_to(wo, (BATCHES, *wo.shape))
+    seen, left = _followed(layer, starts, towards, -(-photons // BATCHES), seed, orders, threads)
+    return _mean(seen), _mean(left)
+
+
+def _mean(batches: Floats) -> Estimate:
+    return Estimate(batches.mean(0), batches.std(0, ddof=1) / np.sqrt(len(batches)))
+
+
+def _followed(
+    layer: Layer, wi: Floats, wo: Floats, photons: int, seed: int, orders: int, threads: int
+) -> tuple[Floats, Floats]:
+    """What each of B batches of photons, which starts at ``wi`` (B, 3), shows its viewers ``wo`` (B, K, 3), and what leaves of it.
+
+    Those that are scattered in the layer first, and those that reach the base untouched: each by photons of their own.
+    """
     wo = np.ascontiguousarray(wo)
-    direct = float(np.exp(-layer.tau / wi[2]))
-    through = np.exp(-layer.tau / wo[:, 2]) if np.isfinite(layer.tau) else np.zeros(len(wo))
-    roots = np.sqrt([1 - direct, direct])
-    seen = Estimate(direct * through * _seen_by_base(layer.base, wi[None], wo)[0], np.zeros(len(wo)))
-    left = Estimate(np.zeros(()), np.zeros(()))
-    for where, share, root in ((FORCED, -np.expm1(-layer.tau / wi[2]), roots[0]), (AT_BASE, direct, roots[1])):
-        if share > 0:
-            size = int(np.ceil(photons * root / roots.sum() / BATCHES))
+    direct = np.exp(-layer.tau / wi[:, 2])
+    through = np.exp(-layer.tau / wo[..., 2])
+    seen = direct[:, None] * through * _seen_by_base(layer.base, wi, wo)
+    left = np.zeros(len(wi))
+    roots = np.sqrt([1 - direct.mean(), direct.mean()])
+    for where, share, root in ((FORCED, -np.expm1(-layer.tau / wi[:, 2]), roots[0]), (AT_BASE, direct, roots[1])):
+        if share.any():
+            size = int(np.ceil(photons * root / roots.sum()))
             begun = _begun(wi, size, where, layer.tau, 2 * seed + where)
-            more = _batches(layer, begun, size, wo, through, orders, threads)
-            seen, left = (_with(old, share * new / size) for old, new in zip((seen, left), more, strict=True))
+            shown, out = _ended(layer, begun, size, wo, through, orders, threads)
+            seen += share[:, None] * shown / size
+            left += share * out / size
     return seen, left
 
 
-def _with(estimate: Estimate, batches: Floats) -> Estimate:
-    """An estimate with what other photons bring besides."""
-    error = batches.std(0, ddof=1) / np.sqrt(len(batches))
-    return Estimate(estimate.value + batches.mean(0), np.hypot(estimate.error, error))
-
-
-def _batches(
+def _ended(
     layer: Layer, flock: _Flock, size: int, wo: Floats, through: Floats, orders: int, threads: int
 ) -> tuple[Floats, Floats]:
-    """Follow all photons to their ends: what each batch shows the viewers (BATCHES, K), and what leaves of it (BATCHES,)."""
-    seen, left = np.zeros((BATCHES, len(wo))), np.zeros(BATCHES)
-    borders = np.linspace(0, BATCHES, threads + 1).astype(int)
+    """Follow all photons to their ends: what each batch of so many shows (B, K), and what leaves of it (B,)."""
+    seen, left = np.zeros(wo.shape[:2]), np.zeros(len(wo))
+    borders = np.linspace(0, len(wo), threads + 1).astype(int)
 
     def crossed(first: int, last: int) -> None:
         for b in range(first, last):
             chosen = slice(b * size, (b + 1) * size)
-            left[b] += _cross(*flock.arrays(chosen), layer.tau, layer.w, layer.g, wo, seen[b], orders)
+            left[b] += _cross(*flock.arrays(chosen), layer.tau, layer.w, layer.g, wo[b], seen[b], orders)
 
     with ThreadPoolExecutor(threads) as pool:
         while True:
@@ -143,8 +165,9 @@ def _batches(
                 return seen, left
             # What the untouched ones show the viewers is known exactly, so only what they are scattered into is estimated.
             touched = here[flock.age[here] > 0]
-            shown = _seen_by_base(layer.base, -flock.along[touched], wo) * flock.weight[touched, None] * through
-            np.add.at(seen, touched // size, shown)
+            batch = touched // size
+            shown = _seen_by_base(layer.base, -flock.along[touched], wo[batch]) * flock.weight[touched, None]
+            np.add.at(seen, batch, shown * through[batch])
             flock.age[here] += 1
             here, out = here[flock.age[here] < orders], here[flock.age[here] >= orders]
             flock.where[out] = GONE
@@ -159,10 +182,10 @@ def _batches(
 
 
 def _seen_by_base(base: BRDF, wi: Floats, wo: Floats) -> Floats:
-    """The base's BRDF from each of ``wi`` (N, 3) to each of ``wo`` (K, 3)."""
-    if not wi.size or not wo.size:
-        return np.zeros((len(wi), len(wo)))
-    return np.asarray(base.eval(wi[:, None], wo[None])[..., 0], np.float64)
+    """The base's BRDF from each of ``wi`` (N, 3) to viewers of its own ``wo`` (N, K, 3)."""
+    if not wo.size:
+        return np.zeros(wo.shape[:2])
+    return np.asarray(base.eval(wi[:, None], wo)[..., 0], np.float64)
 
 
 @dataclass(frozen=True)
@@ -181,10 +204,11 @@ class _Flock:
 
 
 def _begun(wi: Floats, size: int, where: int, tau: float, seed: int) -> _Flock:
-    n = size * BATCHES
+    n = size * len(wi)
     numbers = np.arange(n, dtype=np.uint64) + np.uint64(seed) * np.uint64(2**40)
     depth = np.full(n, tau if where == AT_BASE else 0.0)
-    return _Flock(numbers, np.tile(-wi, (n, 1)), np.ones(n), depth, np.zeros(n, np.int64), np.full(n, where, np.int64))
+    along = np.repeat(-wi, size, axis=0)
+    return _Flock(numbers, along, np.ones(n), depth, np.zeros(n, np.int64), np.full(n, where, np.int64))
 
 
 # ---------------------------------------------------------------- Compiled
