@@ -16,7 +16,8 @@ from motes import workers
 from motes.errors import MotesError
 from motes.fitting import problem as problem_module
 from motes.fitting.losses import LOSSES, ROBUST, SMALLEST, loss_named, robust_named
-from motes.fitting.problem import Problem, layout
+from motes.fitting.problem import Problem
+from motes.fitting.quantities import layout
 from motes.models import parse
 
 DUSTY = "dust_layer(oren_nayar + torrance_sparrow)"

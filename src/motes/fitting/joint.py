@@ -19,7 +19,8 @@ from motes.fitting.choice import bic
 from motes.fitting.columns import Columns, columns_of
 from motes.fitting.losses import Floats
 from motes.fitting.objective import Objective
-from motes.fitting.problem import Problem, Quantity
+from motes.fitting.problem import Problem
+from motes.fitting.quantities import Quantity
 from motes.fitting.solver import Normal
 from motes.parameters import Parameter
 from motes.trends import KINDS, Trend, evaluate

@@ -7,6 +7,7 @@ from abc import ABC, abstractmethod
 import numpy as np
 from numpy.typing import NDArray
 
+from motes.fitting.algebra import ARRAYS, Arrays
 from motes.fitting.columns import Columns
 from motes.fitting.losses import Floats
 from motes.fitting.solver import Normal, Solution, minimize
@@ -54,6 +55,17 @@ class Objective(ABC):
         """By how much the gradient (P,) changes when all values grow by their common uncertainty, one standard deviation."""
 
     @property
+    def algebra(self) -> Arrays:
+        """What its matrices are computed with."""
+        return ARRAYS
+
+    def refitted(
+        self, x: Floats, points: Floats, held: NDArray[np.bool_], *, max_iterations: int, reduction: float
+    ) -> Floats:
+        """Objectives (L,) of fits from `points` (L, P) with some of the parameters `held` (L, P), beside the solution `x` (P,)."""
+        return self.solve(points, held=held, max_iterations=max_iterations, reduction=reduction).normal.objective
+
+    @property
     def bounds(self) -> tuple[Floats, Floats]:
         """Lower and upper bounds (P,), in the coordinates of the fit."""
         return self.columns.low[:, 0], self.columns.high[:, 0]
@@ -78,4 +90,5 @@ class Objective(ABC):
             brightness=float(bright.sum()) if sets is None else bright[sets],
             reduction=reduction,
             max_iterations=max_iterations,
+            algebra=self.algebra,
         )

@@ -6,51 +6,33 @@ shared parameters, never from a dense Jacobian."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import NamedTuple, Self, TypeVar
+from typing import Any, Self, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from motes import workers
-from motes.fitting.columns import Columns, columns_of
+from motes.fitting.algebra import ARRAYS, Arrays
+from motes.fitting.arrowhead import Arrowhead
+from motes.fitting.columns import Columns
 from motes.fitting.covariance import LEAST_REMAINDER
 from motes.fitting.losses import Floats, Loss, Robust
 from motes.fitting.objective import Objective
+from motes.fitting.quantities import Quantity, columns_for
 from motes.fitting.solver import Normal
 from motes.kernels.numpy import FitFunction, residual_function
 from motes.models import BRDF
-from motes.parameters import Parameter
 
 Part = TypeVar("Part")
+Vector = TypeVar("Vector", Floats, NDArray[np.bool_])
 # Elements (parameter sets x samples x channels) worked on at a time: few enough that the arrays of a pass stay in
 # cache, enough that NumPy's overhead of a call does not show.
 CHUNK = 1 << 17
-
-
-class Quantity(NamedTuple):
-    """A parameter that is fitted, and where its values stand in a parameter vector."""
-
-    name: str
-    parameter: Parameter
-    per_channel: bool
-    where: slice
-
-    @property
-    def bounds(self) -> tuple[float, float]:
-        """What a fit searches, in the coordinate that it moves in."""
-        low, high = self.parameter.fit_bounds
-        return (low * low, high * high) if self.parameter.squared else (low, high)
-
-    def coordinate(self, value: Floats) -> Floats:
-        """What a fit moves in: the parameter, or its square where the model depends on nothing else."""
-        return np.square(value) if self.parameter.squared else np.asarray(value, float)
-
-    def value(self, coordinate: Floats) -> Floats:
-        """The parameter back from its coordinate."""
-        return np.sqrt(np.maximum(coordinate, 0.0)) if self.parameter.squared else np.asarray(coordinate, float)
+#: With more than twice as many channels, what asks for many fits is asked of this many, evenly spaced.
+CHANNELS = 64
 
 
 @dataclass(frozen=True)
@@ -123,6 +105,14 @@ class Problem(Objective):
     def columns(self) -> Columns:
         return columns_for(self.quantities)
 
+    @cached_property
+    def algebra(self) -> Arrays:
+        if self.size <= CHANNELS:
+            return ARRAYS
+        own = [np.arange(q.where.start, q.where.stop) for q in self.quantities if q.per_channel]
+        shared = [q.where.start for q in self.quantities if not q.per_channel]
+        return Arrowhead(np.stack(own, axis=1), np.array(shared, np.intp)) if own else ARRAYS
+
     @property
     def groups(self) -> list[slice]:
         return [q.where for q in self.quantities]
@@ -146,6 +136,34 @@ class Problem(Objective):
         """The problem at some of the directions."""
         values, weights = self.values[..., rows, :], self.weights[..., rows, :]
         return replace(self, wi=self.wi[rows], wo=self.wo[rows], values=values, weights=weights)
+
+    def some_channels(self, channels: NDArray[np.intp]) -> Self:
+        """The problem at some of the channels."""
+        quantities, start = [], 0
+        for q in self.quantities:
+            stop = start + (len(channels) if q.per_channel else 1)
+            quantities.append(q._replace(where=slice(start, stop)))
+            start = stop
+        fixed: dict[str, Floats | float] = {}
+        for name, held in self.fixed.items():
+            value = np.asarray(held)
+            fixed[name] = value[..., channels] if value.ndim and value.shape[-1] == self.channels else held
+        values, weights = self.values[..., channels], self.weights[..., channels]
+        return replace(self, quantities=tuple(quantities), fixed=fixed, values=values, weights=weights)
+
+    def at_channels(self, x: Vector, channels: NDArray[np.intp]) -> Vector:
+        """The parameter vector (P,) of `some_channels`, or what goes with it."""
+        return np.concatenate([x[q.where][channels] if q.per_channel else x[q.where] for q in self.quantities])
+
+    def between_channels(self, part: Problem, x: Floats, channels: NDArray[np.intp]) -> Floats:
+        """A parameter vector (P,) out of one of `some_channels`, linear between them."""
+        everywhere = np.arange(self.channels)
+        return np.concatenate(
+            [
+                np.interp(everywhere, channels, x[own.where]) if own.per_channel else x[own.where]
+                for own in part.quantities
+            ]
+        )
 
     # ------------------------------------------------------------ evaluation
 
@@ -194,6 +212,42 @@ class Problem(Objective):
             return (self._vector(np.einsum("bcnk,bnc->bck", jacobian, push.reshape(1, *push.shape[-2:])))[0],)
 
         return np.asarray(np.sum([p for (p,) in self._mapped(part, 1)], axis=0))
+
+    def refitted(
+        self, x: Floats, points: Floats, held: NDArray[np.bool_], *, max_iterations: int, reduction: float
+    ) -> Floats:
+        """See `Objective.refitted`; of many channels by how much the objective of some rises.
+
+        What is held is fitted again among the channels that it belongs to and some others, evenly spaced, which weigh as much as
+        all: what all share would move too far for one channel alone, and not at all if it were held.  Good to a factor of two.
+        """
+        even = even_channels(self.weights)
+        if even is None:
+            return super().refitted(x, points, held, max_iterations=max_iterations, reduction=reduction)
+        touched = np.zeros((len(points), self.channels), bool)
+        for q in self.quantities:
+            if q.per_channel:
+                touched |= held[:, q.where] | (points[:, q.where] != x[q.where])
+        few = touched.sum(axis=1) <= 1
+        rise = np.empty(len(points))
+        alone = np.flatnonzero(few)
+        for rows in (np.flatnonzero(~few), *(alone[k : k + CHANNELS] for k in range(0, len(alone), CHANNELS))):
+            if not len(rows):
+                continue
+            own = np.flatnonzero(touched[rows].any(axis=0) & few[rows[0]])
+            others = np.setdiff1d(even, own)
+            among = np.union1d(others, own)
+            share = np.count_nonzero(self.weights) / np.count_nonzero(self.weights[..., others])
+            part = self.some_channels(among)
+            part = replace(part, weights=part.weights * np.where(np.isin(among, own), 1.0, share))
+            ends = part.solve(
+                np.stack([self.at_channels(row, among) for row in (x, *points[rows])]),
+                held=np.stack([self.at_channels(row, among) for row in (np.zeros(self.size, bool), *held[rows])]),
+                max_iterations=max_iterations,
+                reduction=reduction,
+            ).normal.objective
+            rise[rows] = ends[1:] - ends[0]
+        return np.asarray(self.normal(x[None]).objective + rise)
 
     def _normal_part(self, x: Floats, rows: slice, sets: NDArray[np.intp] | None) -> tuple[Floats, Floats, Floats]:
         residual, jacobian = self._linearised(x, rows, sets)
@@ -300,25 +354,9 @@ class Problem(Objective):
         return total
 
 
-def columns_for(quantities: Sequence[Quantity]) -> Columns:
-    """What is known of a parameter vector beforehand."""
-    each = [q for q in quantities for _ in range(q.where.stop - q.where.start)]
-    low, high = (np.array([q.bounds[k] for q in each], float) for k in (0, 1))
-    return columns_of([q.parameter for q in each], low, high)
-
-
-def layout(model: BRDF, channels: int, fixed: frozenset[str], per_channel: frozenset[str]) -> tuple[Quantity, ...]:
-    """What is fitted: every slot but those `fixed`; for each channel where declared or named in `per_channel`."""
-    held, quantities, start = fixed, [], 0
-    for slot in model.slots():
-        if slot.name in held:
-            continue
-        own = (
-            channels > 1
-            and slot.parameter.per_channel
-            and (not slot.parameter.shared_in_fit or slot.name in per_channel)
-        )
-        stop = start + (channels if own else 1)
-        quantities.append(Quantity(slot.name, slot.parameter, own, slice(start, stop)))
-        start = stop
-    return tuple(quantities)
+def even_channels(used: NDArray[Any]) -> NDArray[np.intp] | None:
+    """Channels that stand for all of those with samples, `used` (..., C) being true for a sample; None where all are taken."""
+    usable = np.flatnonzero(used.any(axis=tuple(range(used.ndim - 1))))
+    if len(usable) <= 2 * CHANNELS:
+        return None
+    return usable[np.linspace(0, len(usable) - 1, CHANNELS).round().astype(np.intp)]

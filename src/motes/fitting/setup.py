@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike
 
 from motes.errors import DataError, MotesError
 from motes.fitting.losses import LOSSES, ROBUST, Floats, Loss
-from motes.fitting.problem import Problem, Quantity, layout
+from motes.fitting.problem import Problem
+from motes.fitting.quantities import Quantity, layout
 from motes.measurements import Measurement
 from motes.models import BRDF, describe, parse
 

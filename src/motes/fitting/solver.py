@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes.fitting import levenberg
-from motes.fitting.algebra import ARRAYS
+from motes.fitting.algebra import ARRAYS, Arrays
 from motes.fitting.losses import Floats
 from motes.fitting.verdicts import Status
 
@@ -54,6 +54,7 @@ def minimize(
     brightness: float | Floats = 0.0,
     max_iterations: int = 200,
     reduction: float = 1e-10,
+    algebra: Arrays = ARRAYS,
 ) -> Solution:
     """Minimise from each row of `x` (B, P) within [low, high] (P,).
 
@@ -69,6 +70,8 @@ def minimize(
         The weighted sum of squares of the data, or (B,) of each row's; see `motes.fitting.levenberg.BLIND`.
     reduction
         Converged when a full step promises less than this share of the objective; see also `motes.fitting.levenberg`.
+    algebra
+        What the Gauss-Newton matrices are solved with.
     """
     x = np.clip(np.array(x, float), low, high)
     batch, size = x.shape
@@ -89,16 +92,16 @@ def minimize(
             if not len(running):
                 break
             xs, gs, hs = x[running].T, gradient[running].T, np.moveaxis(matrix[running], 0, 2)
-            stopped = levenberg.held(ARRAYS, xs, gs, hs, low_, high_, fixed[running].T, bright[running])
+            stopped = levenberg.held(algebra, xs, gs, hs, low_, high_, fixed[running].T, bright[running])
             step = np.zeros_like(xs)
             for _round in range(levenberg.ROUNDS):
                 step, stopped, leaving = levenberg.bounded_step(
-                    ARRAYS, xs, gs, hs, damping[running], low_, high_, stopped, step
+                    algebra, xs, gs, hs, damping[running], low_, high_, stopped, step
                 )
                 if not leaving.any():
                     break
             proposed = levenberg.proposal(
-                ARRAYS,
+                algebra,
                 xs,
                 objective[running],
                 gs,
@@ -121,7 +124,7 @@ def minimize(
             iterations[running] += 1
             new = at_rows(moved, running)
             verdict = levenberg.judged(
-                ARRAYS,
+                algebra,
                 objective[running],
                 new.objective,
                 promised,

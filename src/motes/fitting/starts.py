@@ -13,7 +13,8 @@ from dataclasses import replace
 import numpy as np
 
 from motes.fitting.losses import Floats
-from motes.fitting.problem import Problem, Quantity
+from motes.fitting.problem import Problem
+from motes.fitting.quantities import Quantity
 from motes.parameters import Role
 
 SEARCH_SAMPLES = 600

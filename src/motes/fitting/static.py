@@ -17,7 +17,7 @@ from motes.fitting.choice import CANDIDATES, best_of, bic, check_names, is_auto
 from motes.fitting.losses import LOSSES, ROBUST, Floats
 from motes.fitting.metrics import chi_square, deviation, distances, relative_rms
 from motes.fitting.plausibility import implausible_fit
-from motes.fitting.problem import Problem
+from motes.fitting.problem import Problem, even_channels
 from motes.fitting.result import Fit, FittedParameter, Progress, Trial
 from motes.fitting.setup import Wishes, prepare, sample_weights
 from motes.fitting.solver import Solution
@@ -50,7 +50,9 @@ def fit_scan(data: Measurement, model: str | BRDF, wishes: Wishes, progress: Pro
                 data, wishes.weights, LOSSES[wishes.loss]
             )  # complains of a wrong shape before rows are taken
             compared_wishes = replace(wishes, weights=np.asarray(wishes.weights, float)[rows])
-    steps = len(texts) + (compared is not data)
+    channels = even_channels(compared.mask) if auto else None
+    partly = compared is not data or channels is not None
+    steps = len(texts) + partly
     done = 0
 
     def attempt(candidate: str | BRDF) -> _Attempt:
@@ -58,13 +60,13 @@ def fit_scan(data: Measurement, model: str | BRDF, wishes: Wishes, progress: Pro
         if progress:
             progress(done, steps, candidate if isinstance(candidate, str) else describe(candidate))
         done += 1
-        return _Attempt(compared, candidate, compared_wishes, auto)
+        return _Attempt(compared, candidate, compared_wishes, auto, channels=channels)
 
     best, tried = best_of(texts, attempt)
-    if compared is not data:
+    if partly:
         if progress:
             progress(len(texts), steps, f"{describe(best.brdf)}, all samples")
-        best = _Attempt(data, describe(best.brdf), wishes, True, best.x)
+        best = _Attempt(data, describe(best.brdf), wishes, True, best.x if channels is None else None)
     if progress:
         progress(steps, steps, "done")
     return best.result(tried, started)
@@ -75,8 +77,21 @@ def _even_rows(n: int, count: int) -> NDArray[np.intp]:
     return np.sort(np.random.default_rng(19940724).choice(n, min(n, count), replace=False))
 
 
+def _starts(problem: Problem, given: Floats | None) -> Floats:
+    """Where the fit of a problem starts (B, P): many points, or few of them where a pass over the data is costly."""
+    work = len(problem.wi) * problem.channels
+    starts = starting_points(problem, given, most=int(np.clip(600_000 // work, 3, 16)))
+    # With much data a part of it says nearly the same: thin the starts out on growing parts first.
+    for samples, most in ((20_000, 3), (COMPARED_SAMPLES, 1)):
+        if work > 3 * samples:
+            part = problem.select(_even_rows(len(problem.wi), max(200, samples // problem.channels)))
+            rough = part.solve(starts, max_iterations=60, reduction=1e-7)
+            starts = rough.x[np.argsort(rough.normal.objective, kind="stable")[:most]]
+    return starts
+
+
 class _Attempt:
-    """One candidate, fitted."""
+    """One candidate, fitted; to some of the `channels` for a comparison, which has no `result`."""
 
     def __init__(
         self,
@@ -85,9 +100,13 @@ class _Attempt:
         wishes: Wishes,
         lenient: bool,
         near: Floats | None = None,
+        channels: NDArray[np.intp] | None = None,
     ) -> None:
         self.data, self.wishes = data, wishes
         self.brdf, start, self.problem, self.factor = prepare(data, model, wishes, lenient)
+        self.channels: Any = slice(None) if channels is None else channels
+        if channels is not None:
+            self.problem = self.problem.some_channels(channels)
         if self.problem.samples <= self.problem.size:
             raise DataError(
                 f"{self.problem.samples} usable sample(s) cannot determine the {self.problem.size} parameters "
@@ -119,14 +138,12 @@ class _Attempt:
         reduction = min(1e-8, 1e-2 / work) if work > COMPARED_SAMPLES else 1e-10
         if near is not None:
             starts = near[None]
+        elif (channels := even_channels(problem.weights)) is not None:
+            part = problem.some_channels(channels)
+            rough = part.solve(_starts(part, None if given is None else problem.at_channels(given, channels)))
+            starts = problem.between_channels(part, rough.x[rough.best()], channels)[None]
         else:
-            starts = starting_points(problem, given, most=int(np.clip(600_000 // work, 3, 16)))
-            # With much data a pass is costly, and a part of it says nearly the same: thin the starts out on growing
-            # parts first.
-            for samples, most in ((20_000, 3), (COMPARED_SAMPLES, 1)):
-                if work > 3 * samples:
-                    rough = self._part(samples).solve(starts, max_iterations=60, reduction=1e-7)
-                    starts = rough.x[np.argsort(rough.normal.objective, kind="stable")[:most]]
+            starts = _starts(problem, given)
         solution = problem.solve(starts, reduction=reduction)
         if self.wishes.robust != "none":
             residual = problem.residuals(solution.x[solution.best()])[problem.weights > 0]
@@ -138,17 +155,12 @@ class _Attempt:
             solution = self.problem.solve(np.concatenate([mild.x, starts]))
         return solution
 
-    def _part(self, samples: int) -> Problem:
-        """The problem at a part of the directions, drawn evenly."""
-        problem = self.problem
-        return problem.select(_even_rows(len(problem.wi), max(200, samples // problem.channels)))
-
     def _predicted(self) -> Floats:
         """The fitted BRDF at all directions of the data (N, C), those without a usable sample included."""
         data = self.data
         if len(self.problem.wi) == data.n_directions:
             return self.problem.predicted(self.x)
-        shape = (data.n_directions, data.n_channels)
+        shape = (data.n_directions, self.problem.channels)
         everywhere = replace(self.problem, wi=data.wi, wo=data.wo, values=np.zeros(shape), weights=np.zeros(shape))
         return np.where(above(data.wi, data.wo)[:, None], everywhere.predicted(self.x), 0.0)
 
@@ -174,8 +186,8 @@ class _Attempt:
 
     @cached_property
     def relative_rms(self) -> float:
-        mask = self.data.mask[0]
-        return relative_rms(self.predicted[mask], self.data.values[0][mask])
+        mask = self.data.mask[0][:, self.channels]
+        return relative_rms(self.predicted[mask], self.data.values[0][:, self.channels][mask])
 
     def trial(self) -> Trial:
         return Trial(

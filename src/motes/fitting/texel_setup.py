@@ -12,11 +12,11 @@ from numpy.typing import ArrayLike
 
 from motes.directions import above
 from motes.errors import DataError, MotesError
-from motes.fitting import joint, problem
+from motes.fitting import joint
 from motes.fitting.columns import Columns
 from motes.fitting.joint import Part
 from motes.fitting.losses import Floats, loss_named, robust_named
-from motes.fitting.problem import Quantity
+from motes.fitting.quantities import Quantity, columns_for
 from motes.fitting.setup import fitted_of
 from motes.models import BRDF
 from motes.parameters import Parameter
@@ -80,7 +80,7 @@ class TexelSetup:
     @cached_property
     def facts(self) -> Columns:
         """Bounds and ranges of the columns, in the coordinates that a fit moves in."""
-        return joint.columns_for(self.parts) if self.parts else problem.columns_for(self.quantities)
+        return joint.columns_for(self.parts) if self.parts else columns_for(self.quantities)
 
     @property
     def groups(self) -> list[slice]:

@@ -60,6 +60,7 @@ def at_rest(objective: Objective, x: Floats) -> Floats:
 
 def uncertainty(objective: Objective, x: Floats) -> Uncertainty:
     """The uncertainty of the solution `x` (P,), with what is not seen `at_rest`; see `motes.fitting.covariance`."""
+    algebra = objective.algebra
     columns, bright = objective.columns, np.atleast_1d(objective.brightness().sum())
     at = objective.normal(x[None])
     gradient = at.gradient.T
@@ -68,36 +69,35 @@ def uncertainty(objective: Objective, x: Floats) -> Uncertainty:
         matrix = np.moveaxis(at.matrix, 0, 2)
     point = x[:, None]
     with np.errstate(all="ignore"):
-        stand = steps.standing(ARRAYS, point, matrix, columns, bright)
+        stand = steps.standing(algebra, point, matrix, columns, bright)
         if objective.samples <= int(stand.free.sum()):
             stand = stand._replace(unseen=1.0 - stand.at_low - stand.at_high, free=0.0 * stand.free)
-        inverse = steps.inverted(ARRAYS, matrix, stand.free)
+        inverse = steps.inverted(algebra, matrix, stand.free)
         blurred = inverse.blurred
         if blurred.any():  # the others as if what is only seen in sums were known
-            inverse = steps.inverted(ARRAYS, matrix, stand.free * (1 - blurred))
+            inverse = steps.inverted(algebra, matrix, stand.free * (1 - blurred))
             blurred = np.maximum(blurred, inverse.blurred)
         middle = objective.spread(x, inverse.matrix[..., 0])[..., None]
-        covariance = ARRAYS.sandwich(inverse.matrix, middle)
+        covariance = algebra.sandwich(inverse.matrix, middle)
         free = stand.free * (1 - blurred)
-        noise = steps.noise_of(ARRAYS, matrix, middle, free)
+        noise = steps.noise_of(algebra, matrix, middle, free)
         bounded = np.maximum(stand.at_low, stand.at_high)
-        loose = steps.loose(ARRAYS, gradient, matrix, inverse.matrix, middle, free, bounded)
+        loose = steps.loose(algebra, gradient, matrix, inverse.matrix, middle, free, bounded)
         none = steps.Inverse(inverse.matrix, 0.0 * blurred)
-        wider = steps.inverted(ARRAYS, matrix, np.maximum(free, loose)) if loose.any() else none
-        errors = steps.errors(ARRAYS, covariance, wider, noise, stand, blurred, columns, loose)
+        wider = steps.inverted(algebra, matrix, np.maximum(free, loose)) if loose.any() else none
+        errors = steps.errors(algebra, covariance, wider, noise, stand, blurred, columns, loose)
         if objective.common:  # a scale that is uncertain moves all parameters together, however well each is known
             way = (inverse.matrix[..., 0] @ objective.pull(x))[:, None]
             covariance = covariance + outer(way)
             errors = errors._replace(stderr=np.hypot(errors.stderr, way))
-        value = steps.own_value(ARRAYS, point, columns.squared)
-        stderr = np.where(errors.known > 0, steps.own_error(ARRAYS, point, errors.stderr, columns.squared), np.nan)
-        codes = steps.judged(ARRAYS, value, stderr, columns, errors.verdicts)
+        value = steps.own_value(algebra, point, columns.squared)
+        stderr = np.where(errors.known > 0, steps.own_error(algebra, point, errors.stderr, columns.squared), np.nan)
+        codes = steps.judged(algebra, value, stderr, columns, errors.verdicts)
     verdicts = np.round(codes.T).astype(np.uint8)
     solved = Solved(x[None], value.T, stderr.T, at.objective, noise, bright, verdicts)
 
     def refit(points: Floats, held: NDArray[np.bool_], fits: Rows) -> Floats:
-        ends = objective.solve(points, held=held, max_iterations=REFIT_ITERATIONS, reduction=REFIT_REDUCTION)
-        return ends.normal.objective
+        return objective.refitted(x, points, held, max_iterations=REFIT_ITERATIONS, reduction=REFIT_REDUCTION)
 
     def diagonal(points: Floats, fits: Rows) -> Floats:
         return np.stack([np.diag(objective.curvature(p)) for p in points])
