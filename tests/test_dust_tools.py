@@ -71,6 +71,16 @@ def test_rows_of_a_table_are_judged(errors: ModuleType, tmp_path: Path, capsys: 
     assert "+25 % at tau = 1e-05" in printed
 
 
+def test_a_highlight_under_dust_is_judged(errors: ModuleType) -> None:
+    """In the thinnest dust nothing is wrong but noise; in thick dust single scattering is far too dark."""
+    thin = errors.glossy_row("GGX", 0.3, 0.6, 1e-5, "single", 2**10).split(" | ")
+    assert thin[:4] == ["GGX", "0.3", "0.6", "1e-05"]
+    assert float(thin[5]) < 0.1
+    thick = errors.glossy_row("Torrance-Sparrow", 0.3, 0.6, 1.0, "single", 2**10).split(" | ")
+    assert float(thick[4]) > 50
+    assert float(thick[7]) < -70
+
+
 def test_a_picture_by_photons_is_of_the_surface() -> None:
     """Without dust it is the base, colour by colour; below the horizon it is black."""
     picture = tool("dust_picture")

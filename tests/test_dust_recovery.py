@@ -1,0 +1,44 @@
+"""What fits make of dust that is real: measurements simulated by photons, which know nothing of the model that is fitted."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import motes
+import photons
+from motes import Lambert
+from motes.directions import from_spherical
+from motes.measurements import Measurement
+from photons import Layer
+
+CASES = [(0.2, 0.95, 0.6), (0.5, 0.9, 0.3), (2.0, 0.95, 0.6)]  # tau, w, g
+
+
+def measured(layer: Layer, noise: float = 0.02, seed: int = 1) -> Measurement:
+    """120 pairs of directions, up to 75 degrees, with noise of so much of each value; the photons' own is far less."""
+    random = np.random.default_rng(seed)
+    wo = from_spherical(np.radians(np.arange(0, 76, 15))[:, None], np.radians([0, 45, 90, 135, 180])).reshape(-1, 3)
+    parts = []
+    for k, theta_i in enumerate(np.radians([5, 25, 45, 65])):
+        wi = from_spherical(theta_i, 0.0)
+        seen, _ = photons.both(layer, wi, wo, 2**16, seed=seed + k)
+        assert np.median(seen.error / seen.value) < 0.3 * noise
+        values = seen.value * (1 + noise * random.standard_normal(len(wo)))
+        parts.append((np.broadcast_to(wi, wo.shape), wo, values[:, None]))
+    return Measurement.from_arrays(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
+
+
+@pytest.mark.parametrize(("tau", "w", "g"), CASES)
+def test_single_scattering_mistakes_real_dust(tau: float, w: float, g: float) -> None:
+    """The form of the source follows such data well, with thinner dust that gives back more light than it gets: not a finding."""
+    fit = motes.fit(measured(Layer(Lambert(0.3), tau, w, g)), "dust_layer(lambert)")
+    assert fit.metrics["relative_rms"] < 0.1
+    found = {name: float(np.ravel(p.value)[0]) for name, p in fit.parameters.items()}
+    assert found["w"] > 1.3
+    assert found["tau"] < 0.6 * tau
+
+
+def test_without_dust_the_surface_is_found() -> None:
+    fit = motes.fit(measured(Layer(Lambert(0.3), 0.0, 0.9, 0.3)), "lambert")
+    assert abs(fit.parameters["K_d"].value - 0.3) < 3 * fit.parameters["K_d"].stderr
