@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -37,6 +40,11 @@ def test_single_scattering_mistakes_real_dust(tau: float, w: float, g: float) ->
     found = {name: float(np.ravel(p.value)[0]) for name, p in fit.parameters.items()}
     assert found["w"] > 1.3
     assert found["tau"] < 0.6 * tau
+    # The page shows these very fits.
+    page = (Path(__file__).parents[1] / "docs" / "dust.md").read_text(encoding="utf-8")
+    (row,) = re.findall(rf"^\| {tau:g}, {w:g}, {g:g} \| (.*) \| (.*) \| (.*) \| (.*) \|$", page, re.MULTILINE)
+    measured_here = [found["tau"], found["w"], found["g"], 100 * fit.metrics["relative_rms"]]
+    np.testing.assert_allclose([float(x) for x in row], measured_here, rtol=0.05)
 
 
 def test_without_dust_the_surface_is_found() -> None:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import csv
 import importlib.util
+import re
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
 
@@ -16,6 +18,7 @@ from motes import Lambert
 from motes.directions import from_spherical
 
 ROOT = Path(__file__).parents[1]
+PAGE = (ROOT / "docs" / "dust.md").read_text(encoding="utf-8")
 pytest.importorskip("PythonicDISORT")
 
 
@@ -69,6 +72,23 @@ def test_rows_of_a_table_are_judged(errors: ModuleType, tmp_path: Path, capsys: 
     assert float(cells[5]) < 0.1  # albedos are right
     assert cells[8] == "25"  # 1/0.8
     assert "+25 % at tau = 1e-05" in printed
+
+
+@pytest.mark.parametrize("form", re.findall(r"<!-- table: (\w+) -->", PAGE))
+def test_the_page_states_what_the_tool_measures(
+    errors: ModuleType, shared: Callable[[str], Path], capsys: pytest.CaptureFixture[str], form: str
+) -> None:
+    """Every line of the table of each form of the model; the last digit may be rounded otherwise elsewhere."""
+    errors.golden(shared("golden/dust_layer_exact.csv"), form)
+    printed = [line for line in capsys.readouterr().out.splitlines() if re.match(r"\| (all|tau|w|g|base) ", line)]
+    stated = PAGE.partition(f"<!-- table: {form} -->\n")[2].partition("\n\n")[0].splitlines()[2:]
+    assert len(printed) == len(stated) == 17
+    for one, other in zip(printed, stated, strict=True):
+        (name, *measured), (named, *figures) = (
+            [cell.strip() for cell in line.strip("|").split("|")] for line in (one, other)
+        )
+        assert name == named
+        np.testing.assert_allclose(np.array(figures, float), np.array(measured, float), rtol=0.06, err_msg=name)
 
 
 def test_a_highlight_under_dust_is_judged(errors: ModuleType) -> None:
