@@ -23,6 +23,7 @@ from motes.models import (
     BRDF,
     EON,
     GGX,
+    GTR,
     Beckmann,
     Conductor,
     Dielectric,
@@ -33,6 +34,7 @@ from motes.models import (
     Schlick,
     TorranceSparrow,
 )
+from motes.models.gtr import gtr_grazing_roughness
 
 AtRows = Callable[[Rows], tuple[BRDF, NDArray[np.float64]]]
 
@@ -178,6 +180,12 @@ def ggx_schlick(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
     return GGX(0.7, alpha, Schlick(column(r["w"]))), 0.7 * schlick(r) * published.ggx(*angles(r), alpha)
 
 
+def gtr(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
+    alpha, gamma = 0.05 + r["sigma_s"], 1 + 4 * r["w"]
+    masking = gtr_grazing_roughness(NUMPY, alpha, gamma)  # test_models_richer.py says what it must be
+    return GTR(column(r["w"]), alpha, gamma), r["w"] * published.gtr(*angles(r), alpha, gamma, masking)
+
+
 def beckmann(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
     alpha = 0.1 + r["sigma_s"]
     model = Beckmann(0.7, alpha, Dielectric(column(1.2 + r["w"])))
@@ -288,6 +296,7 @@ ENTRIES = (
     Entry("torrance_sparrow_schlick", TorranceSparrow(1.0, 0.3, "facets", Schlick(0.05)), torrance_sparrow_schlick),
     Entry("ggx", GGX((1.0, 0.5), 0.25), ggx),
     Entry("ggx_schlick", GGX(1.0, 0.6, Schlick((0.05, 0.5, 0.9))), ggx_schlick),
+    Entry("gtr", GTR((1.0, 0.5), 0.15, 1.4), gtr),
     Entry("beckmann", Beckmann(1.0, 0.4, Dielectric(1.5)), beckmann),
     Entry(
         "dust_isotropic", Dust(1.0, 0.0), dust, directional=isotropic_dust, spherical=(2 * (1 - np.log(2)) / 3, 1e-6)

@@ -151,8 +151,8 @@ def computed(graph: ElementTree.Element, values: dict[str, Any]) -> list[tuple[A
                 given[name] = np.array([float(x) for x in port.get("value").split(",")])
         if node.tag in ("multiply", "divide", "add", "subtract") and node.get("type") != "BSDF":
             nodes[node.get("name")] = getattr(np, node.tag)(given["in1"], given["in2"])
-        elif node.tag == "exp":
-            nodes[node.get("name")] = np.exp(given["in"])
+        elif node.tag in ("exp", "sqrt"):
+            nodes[node.get("name")] = getattr(np, node.tag)(given["in"])
         elif node.tag == "convert":
             nodes[node.get("name")] = np.broadcast_to(given["in"], 3)
         elif node.tag == "combine2":
@@ -177,7 +177,14 @@ def test_three_ways_of_one_conversion(name: str, tmp_path: Path) -> None:
     parameters = {slot.name: np.asarray(slot.value, float) for slot in model.slots()}
     statements, texts = words(file, ["K_d"], "color")
     # Whoever looks at 53 degrees sees the mean of 1/cos, which the nodes and the numbers take.
-    scope: dict[str, Any] = {"color": lambda x: x, "exp": np.exp, "max": max, "wo": (0, 0, 1 / 1.66), **parameters}
+    scope: dict[str, Any] = {
+        "color": lambda x: x,
+        "exp": np.exp,
+        "sqrt": np.sqrt,
+        "max": max,
+        "wo": (0, 0, 1 / 1.66),
+        **parameters,
+    }
     for statement in statements:
         if not statement.startswith("//"):
             exec(statement.split(maxsplit=1)[1].removesuffix(";"), scope)

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from scipy.integrate import quad
 
 import golden
 from catalogue import column, dense_albedo, direction, upper_directions
 from motes.arrays import NUMPY
 from motes.directions import Geometry, Vector
-from motes.models import EON, GGX, Beckmann, Lambert, TorranceSparrow
+from motes.models import EON, GGX, GTR, Beckmann, Lambert, TorranceSparrow
+from motes.models.gtr import gtr_grazing_roughness
 
 # ---------------------------------------------------------------- EON
 
@@ -103,3 +107,47 @@ def test_a_narrow_beckmann_is_torrance_sparrow_with_normalised_facets() -> None:
         wi, wo = direction(0.4), direction(theta_r, np.pi)
         facets = TorranceSparrow(1.0, 0.01, "facets").eval(wi, wo)
         assert_allclose(Beckmann(1.0, 0.01).eval(wi, wo), facets, rtol=5e-4)
+
+
+# ---------------------------------------------------------------- GTR
+
+
+def grazing(alpha: float, gamma: float) -> float:
+    """4 times the integral of Burley's D sin^2 over theta_h, by SciPy in pieces."""
+    a2 = alpha * alpha
+    constant = (a2 - 1) / np.log(a2) if gamma == 1 else (gamma - 1) * (a2 - 1) / (1 - a2 ** (1 - gamma))
+    ends = [0, *(min(k * alpha, 0.5) for k in (0.3, 1, 3, 10)), np.pi / 2]
+    pieces = [(a, b) for a, b in pairwise(ends) if b > a]
+    D = lambda t: constant / np.pi / (a2 * np.cos(t) ** 2 + np.sin(t) ** 2) ** gamma  # noqa: E731
+    return 4 * sum(quad(lambda t: D(t) * np.sin(t) ** 2, a, b, epsrel=1e-9)[0] for a, b in pieces)
+
+
+@pytest.mark.parametrize("gamma", [1.0, 1.3, 1.7, 2.0, 3.0, 6.0, 10.0])
+@pytest.mark.parametrize("alpha", [0.005, 0.03, 0.2, 0.6, 0.95])
+def test_the_masking_of_gtr_is_that_of_facets_that_fill_as_much_of_a_grazing_view(alpha: float, gamma: float) -> None:
+    assert_allclose(gtr_grazing_roughness(NUMPY, alpha, gamma), grazing(alpha, gamma), rtol=1e-2)
+
+
+def test_grazing_roughness_in_closed_form() -> None:
+    assert_allclose(grazing(0.3, 2.0), 0.3, rtol=1e-8)  # GGX itself
+    assert_allclose(grazing(0.3, 1.0), 0.7 / -np.log(0.3), rtol=1e-8)
+    assert_allclose(grazing(0.3, 3.0), 0.3 * (1 + 3 * 0.09) / (2 * (1 + 0.09)), rtol=1e-8)
+
+
+def test_gtr_of_gamma_2_is_ggx() -> None:
+    wi, wo = upper_directions(500, 1), upper_directions(500, 2)
+    for alpha in (0.03, 0.3, 1.0):
+        assert_allclose(GTR(0.7, alpha, 2.0).eval(wi, wo), GGX(0.7, alpha).eval(wi, wo), rtol=2e-3)
+
+
+@pytest.mark.parametrize("gamma", [1.0, 1.25, 3.0, 10.0])
+@pytest.mark.parametrize("alpha", [0.05, 0.3, 1.0])
+def test_gtr_returns_no_more_than_all_light_from_anywhere(alpha: float, gamma: float) -> None:
+    for theta_i in (0.0, 0.8, 1.3, 1.5):
+        assert GTR(1.0, alpha, gamma).directional_albedo(direction(theta_i), nodes=(120, 90))[0] <= 1 + 1e-4
+
+
+def test_gtr_is_continuous_at_the_ends_of_its_parameters() -> None:
+    wi, wo = upper_directions(200, 1), upper_directions(200, 2)
+    for at, near in (((0.3, 1.0), (0.3, 1 + 1e-7)), ((1.0, 1.4), (1 - 1e-7, 1.4)), ((1.0, 1.0), (1 - 1e-7, 1 + 1e-7))):
+        assert_allclose(GTR(0.7, *at).eval(wi, wo), GTR(0.7, *near).eval(wi, wo), rtol=1e-5)

@@ -73,6 +73,7 @@ LIBRARIES = {"torch": with_torch, "jax": with_jax}
 FOR_JAX = (
     "eon",
     "ggx",
+    "gtr",
     "beckmann",
     "dust_forward",
     "torrance_sparrow_conductor",

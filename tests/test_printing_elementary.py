@@ -1,4 +1,4 @@
-"""exp, expm1 and asin of generated kernels: the errors that `motes.printing.elementary` states, and the edges of the domain."""
+"""exp, expm1, log1p and asin of generated kernels: the errors that `motes.printing.elementary` states, and the edges of the domain."""
 
 from __future__ import annotations
 
@@ -19,11 +19,12 @@ from motes.printing import elementary  # noqa: E402
 STATED = {
     "exp": 1.5,
     "expm1": 2.5,
+    "log1p": 1.5,
     "asin_near": 1.0,
     "asin": 3.0,
 }  # units in the last place, as in the table of the module
-EXACT = {"exp": mp.exp, "expm1": mp.expm1, "asin_near": mp.asin, "asin": mp.asin}
-WIDE = {"exp": np.exp, "expm1": np.expm1, "asin_near": np.arcsin, "asin": np.arcsin}
+EXACT = {"exp": mp.exp, "expm1": mp.expm1, "log1p": mp.log1p, "asin_near": mp.asin, "asin": mp.asin}
+WIDE = {"exp": np.exp, "expm1": np.expm1, "log1p": np.log1p, "asin_near": np.arcsin, "asin": np.arcsin}
 LARGEST_EXP = {"float32": 88.72283, "float64": 709.782712893384}
 SMALLEST_POWER = {"float32": -126, "float64": -1022}
 
@@ -67,6 +68,9 @@ def arguments(name: str, scalar: str, n: int) -> NDArray[Any]:
         parts = [rng.uniform(low, high, n), rng.uniform(-2, 2, n)]
         # The edges of range reduction, where the polynomial is at its ends.
         parts.append((np.arange(-100, 100) + 0.5) * np.log(2) * 0.5)
+    elif name == "log1p":
+        parts = [rng.uniform(-0.999, 3, n), np.exp(rng.uniform(0, 80, n)), 10.0 ** rng.uniform(-6, -1, n) - 1]
+        parts.append(2.0 ** np.arange(-20, 20) * np.sqrt(0.5) - 1)  # where the exponent changes
     else:
         end = 0.7072 if name == "asin_near" else 1.0
         parts = [rng.uniform(-end, end, n), end - 10.0 ** rng.uniform(-7, -1, n), np.array([end, -end])]

@@ -1,8 +1,8 @@
-"""Array namespaces: the eight functions that the equations need, for every library whose arrays Motes accepts.
+"""Array namespaces: the functions that the models need, for every library whose arrays Motes accepts.
 
-`equations.py` is written over a namespace ``xp`` that offers ``sqrt, exp, expm1, asin, minimum, maximum, where`` (and
+Formulas are written over a namespace ``xp`` that offers ``sqrt, exp, expm1, log1p, asin, minimum, maximum, where`` (and
 arithmetic and comparisons on its arrays), nothing else.  Sampling needs ``sin, cos, log`` and ``stack`` too, and the
-losses of fits, over NumPy, ``log1p`` and ``cbrt``.
+losses of fits, over NumPy, ``cbrt``.
 `namespace` chooses from the types of the inputs, so that NumPy in means NumPy out, and a tensor in means a tensor of
 the same library, with its gradient, out.
 
@@ -79,6 +79,7 @@ def _torch() -> SimpleNamespace:
         sqrt=lifted(root),
         exp=lifted(torch.exp),
         expm1=lifted(torch.expm1),
+        log1p=lifted(torch.log1p),
         asin=lifted(torch.asin),
         minimum=pairwise(torch.minimum, min),
         maximum=pairwise(torch.maximum, max),
@@ -103,6 +104,7 @@ def _jax() -> SimpleNamespace:
         sqrt=root,
         exp=jnp.exp,
         expm1=jnp.expm1,
+        log1p=jnp.log1p,
         asin=jnp.arcsin,
         minimum=jnp.minimum,
         maximum=jnp.maximum,
@@ -143,11 +145,21 @@ def _drjit() -> SimpleNamespace:
         near = abs(x) < 0.35
         return dr.select(near, series * x, dr.exp(x) - 1)
 
+    def log1p(x: Array) -> Array:
+        """Dr.Jit has no log1p: log(u) x / (u - 1) with u = 1 + x as it is rounded, whose error cancels (Kahan)."""
+        if isinstance(x, float):
+            return math.log1p(x)
+        u = 1 + dr.detach(x)
+        exact = u == 1
+        value = dr.select(exact, dr.detach(x), dr.log(u) * (dr.detach(x) / dr.select(exact, 1, u - 1)))
+        return dr.replace_grad(value, dr.log(1 + x)) if dr.grad_enabled(x) else value
+
     return SimpleNamespace(
         name="drjit",
         sqrt=root,
         exp=dr.exp,
         expm1=expm1,
+        log1p=log1p,
         asin=dr.asin,
         # As quick as dr.minimum and dr.maximum, and of equal numbers the first is taken and gets the gradient:
         # maximum(f, 0) of a black surface has one.

@@ -55,6 +55,20 @@ def beckmann(theta_i: Any, theta_r: Any, dphi: Any, alpha: Any) -> Any:
     return D / (1 + Lambda(theta_i) + Lambda(theta_r)) / (4 * cosines)
 
 
+@_rows
+def gtr(theta_i: Any, theta_r: Any, dphi: Any, alpha: Any, gamma: Any, masking: Any) -> Any:
+    """Burley 2012, appendix B: D of any gamma with its constant; masked as GGX of roughness `masking`; F = 1."""
+    cosines, theta_h = _facets(theta_i, theta_r, dphi)
+    a2 = alpha**2
+    if gamma == 1:
+        constant = (a2 - 1) / (mp.pi * mp.log(a2))
+    else:
+        constant = (gamma - 1) * (a2 - 1) / (mp.pi * (1 - a2 ** (1 - gamma)))
+    D = constant / (a2 * mp.cos(theta_h) ** 2 + mp.sin(theta_h) ** 2) ** gamma
+    Lambda = [(mp.sqrt(1 + (masking * mp.tan(t)) ** 2) - 1) / 2 for t in (theta_i, theta_r)]
+    return D / (1 + sum(Lambda)) / (4 * cosines)
+
+
 def _fujii(r: Any) -> tuple[Any, Any]:
     """A and B of Fujii's lobe."""
     A = 1 / (1 + (mp.mpf(1) / 2 - 2 / (3 * mp.pi)) * r)

@@ -315,6 +315,74 @@ export const MODELS: Record<string, ModelDeclaration> = {
       }
     ]
   },
+  "gtr": {
+    "brdf": true,
+    "summary": "Mirror-like facets with a tail that the data choose: enamel, metallic paint, worn metal.",
+    "fields": [
+      {
+        "kind": "parameter",
+        "name": "K_s",
+        "symbol": "K_s",
+        "unit": "",
+        "meaning": "share of light that facets reflect, or its factor where there is a Fresnel term",
+        "value": 0.3,
+        "low": 0,
+        "high": null,
+        "open": false,
+        "typical": [
+          0,
+          1
+        ],
+        "perChannel": true,
+        "role": "highlight_strength",
+        "advice": ""
+      },
+      {
+        "kind": "parameter",
+        "name": "alpha",
+        "symbol": "\\alpha",
+        "unit": "",
+        "meaning": "roughness alpha of Walter et al.: a typical slope of the facets; neither its square nor its root",
+        "value": 0.2,
+        "low": 0.001,
+        "high": 1,
+        "open": false,
+        "typical": [
+          0.02,
+          0.8
+        ],
+        "perChannel": false,
+        "role": "highlight_width",
+        "advice": ""
+      },
+      {
+        "kind": "parameter",
+        "name": "gamma",
+        "symbol": "\\gamma",
+        "unit": "",
+        "meaning": "exponent of the tail of the highlight: 2 is GGX, 1 the longest",
+        "value": 2.0,
+        "low": 1,
+        "high": 10,
+        "open": false,
+        "typical": [
+          1,
+          4
+        ],
+        "perChannel": false,
+        "role": "highlight_tail",
+        "advice": ""
+      },
+      {
+        "kind": "child",
+        "name": "fresnel",
+        "accepts": "fresnel",
+        "place": "fresnel",
+        "required": false,
+        "value": null
+      }
+    ]
+  },
   "dust": {
     "brdf": true,
     "summary": "An opaque bed of small particles that scatter once.",

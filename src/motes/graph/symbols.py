@@ -115,11 +115,10 @@ class Graph:
         return self.apply("asin", x)
 
     def log1p(self, x: Array) -> Symbol:
-        """For the losses of fits (`motes.fitting.losses`): no model needs it, and no shading language prints it."""
         return self.apply("log1p", x)
 
     def cbrt(self, x: Array) -> Symbol:
-        """As `log1p`."""
+        """For the losses of fits (`motes.fitting.losses`): no model needs it, and no shading language prints it."""
         return self.apply("cbrt", x)
 
     def minimum(self, a: Array, b: Array) -> Symbol:

@@ -28,13 +28,14 @@ NUMPY = Target(
         "sqrt": "sqrt({0})",
         "exp": "exp({0})",
         "expm1": "expm1({0})",
+        "log1p": "log1p({0})",
         "asin": "arcsin({0})",
         "minimum": "minimum({0}, {1})",
         "maximum": "maximum({0}, {1})",
         "where": "where({0}, {1}, {2})",
     },
 )
-_HEADER = "from numpy import arcsin, exp, expm1, maximum, minimum, sqrt, where\n"
+_HEADER = "from numpy import arcsin, exp, expm1, log1p, maximum, minimum, sqrt, where\n"
 
 
 def function(name: str, arguments: Sequence[str], body: Sequence[str], results: Sequence[str]) -> str:

@@ -1,6 +1,6 @@
 """Arithmetic on vectors of lanes, as LLVM's instructions: what the programs of `motes.kernels.vectors` are made of.
 
-exp and expm1 are those of `motes.printing.elementary`.  log1p and cbrt serve the losses of fits; errors in units of the last place of the
+exp, expm1 and log1p are those of `motes.printing.elementary`.  cbrt serves the losses of fits; errors in units of the last place of the
 result, measured by ``tests/test_kernels_vectors.py``:
 
 =======  =======  =====================================================================================
@@ -8,8 +8,8 @@ log1p    at most  1.5; -inf at -1, NaN below
 cbrt     at most  1; |x| up to a half of the largest number; 0 for what is smaller than a normal number
 =======  =======  =====================================================================================
 
-log1p splits 1 + x = 2^k m and takes the polynomial of Sun's fdlibm (Ng, 1993) of m - 1, with what rounding lost of 1 + x put back; cbrt divides the
-exponent by three (Kahan's trick) and then takes two or three steps of Halley.  Imported by generated modules only (it imports llvmlite).
+cbrt divides the exponent by three (Kahan's trick) and then takes two or three steps of Halley.  Imported by generated modules only (it
+imports llvmlite).
 """
 
 from __future__ import annotations
@@ -25,20 +25,6 @@ FLAGS = ("nsz", "arcp", "contract")
 FLOAT, DOUBLE = ir.FloatType(), ir.DoubleType()
 SCALARS = {"F": FLOAT, "D": DOUBLE}
 _COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">="}
-_LOG = {  # Of (log(1 + f) - f + f^2/2) by powers of (f/(2 + f))^2
-    "F": (0.66666662693, 0.40000972152, 0.28498786688, 0.24279078841),
-    "D": (
-        6.666666666666735130e-01,
-        3.999999999940941908e-01,
-        2.857142874366239149e-01,
-        2.222219843214978396e-01,
-        1.818357216161805012e-01,
-        1.531383769920937332e-01,
-        1.479819860511658591e-01,
-    ),
-}
-_HALF_ROOT = {"F": 0x3F3504F3, "D": 0x3FE6A09E667F3BCD}  # the bits of sqrt(1/2)
-_ONE = {"F": 0x3F800000, "D": 0x3FF0000000000000}
 # What a third of a number's bits lacks to be the bits of its cube root, to 3 %; and how many of Halley's steps make it exact.
 _THIRD = {"F": 709958130, "D": 715094163 << 32}
 _HALLEY = {"F": 2, "D": 3}
@@ -144,13 +130,13 @@ class Lanes:
         return s, self._fused(self._polynomial(p.exp, r), self._mul(r, r), r)
 
     def _log1p(self, x: Any) -> Any:
-        b, number, p, half_root = self.builder, self.number, self.precision, _HALF_ROOT[self.scalar]
+        b, number, p = self.builder, self.number, self.precision
         one = number(1.0)
         u = self._add(one, x)
-        shifted = b.add(b.bitcast(u, self.words), self.whole(_ONE[self.scalar] - half_root))
+        shifted = b.add(b.bitcast(u, self.words), self.whole(p.one - p.half_root))
         exponent = b.sub(b.ashr(shifted, self.whole(p.fraction)), self.whole(p.bias))
         fraction = b.and_(shifted, self.whole((1 << p.fraction) - 1))
-        m = b.bitcast(b.add(fraction, self.whole(half_root)), self.vector)
+        m = b.bitcast(b.add(fraction, self.whole(p.half_root)), self.vector)
         k = b.sitofp(exponent, self.vector)
         near = b.icmp_signed("==", exponent, self.whole(0))
         lost = b.select(b.fcmp_ordered(">", x, one), self._sub(one, self._sub(u, x)), self._sub(x, self._sub(u, one)))
@@ -159,7 +145,7 @@ class Lanes:
         s = self._div(f, self._add(number(2.0), f))
         z = self._mul(s, s)
         half = self._mul(number(0.5), self._mul(f, f))
-        tail = self._fused(s, self._add(half, self._mul(z, self._polynomial(_LOG[self.scalar], z))), c)
+        tail = self._fused(s, self._add(half, self._mul(z, self._polynomial(p.log, z))), c)
         tail = self._fused(k, number(p.ln2[1]), tail)
         result = self._fused(k, number(p.ln2[0]), self._sub(f, self._sub(half, tail)))
         edge = b.select(b.fcmp_ordered("==", u, number(0.0)), number(float("-inf")), number(float("nan")))

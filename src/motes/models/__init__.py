@@ -16,6 +16,7 @@ from motes.models.eon import EON
 from motes.models.torrance_sparrow import TorranceSparrow
 from motes.models.ggx import GGX
 from motes.models.beckmann import Beckmann
+from motes.models.gtr import GTR
 from motes.models.dust import Dust, DustLayer
 from motes.models.fresnel import Conductor, Dielectric, Fresnel, Schlick
 from motes.models.composition import Layer, layer_of, on_base
@@ -26,6 +27,7 @@ __all__ = [
     "BRDF",
     "EON",
     "GGX",
+    "GTR",
     "Beckmann",
     "Component",
     "Conductor",

@@ -90,6 +90,10 @@ class Microfacet(BRDF):
         return [Component(self.formula, self.lobe(), self.K_s * self.fresnel_reflectance(xp, cos_theta_i))]
 
     def standard_lobes(self, xp: Array, values: Self, cos_view: Array) -> list[StandardLobe]:
+        return self._mirrors(values)
+
+    def _mirrors(self, values: Microfacet) -> list[StandardLobe]:
+        """The standard lobe with the strength, roughness and Fresnel term of `values`."""
         terms = values.at_place(Place.FRESNEL)
         normal = terms[0].at_normal() if terms else 1.0
         index = terms[0].index() if terms else None

@@ -27,6 +27,7 @@ class Role(Enum):
     DIFFUSE_ROUGHNESS = "roughness of the diffuse part"
     HIGHLIGHT_STRENGTH = "strength of the highlight"
     HIGHLIGHT_WIDTH = "width of the highlight"
+    HIGHLIGHT_TAIL = "tail of the highlight"
     REFRACTIVE_INDEX = "refractive index"
     EXTINCTION = "extinction coefficient"
     NORMAL_REFLECTANCE = "reflectance at normal incidence"

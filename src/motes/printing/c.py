@@ -33,6 +33,7 @@ def language(scalar: str) -> Language:
             "asin": f"asin{suffix}({{0}})",
             "exp": f"exp{suffix}({{0}})",
             "expm1": f"expm1{suffix}({{0}})",
+            "log1p": f"log1p{suffix}({{0}})",
             "where": "({0} ? {1} : {2})",
         },
         constant=f"const {scalar} {{name}} = {{value}};",

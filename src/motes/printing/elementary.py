@@ -1,4 +1,4 @@
-"""exp, expm1 and asin as straight-line polynomials that LLVM vectorises; it calls libm, one number at a time, for the usual ones.
+"""exp, expm1, log1p and asin as straight-line polynomials that LLVM vectorises; it calls libm, one number at a time, for the usual ones.
 
 The coefficients are minimax, printed by ``tools/minimax.py``.  Errors over the whole domain, measured against wider arithmetic by
 ``tests/test_printing_elementary.py``, in units of the last place of the result:
@@ -8,12 +8,14 @@ function   at most  edges
 =========  =======  ====================================================================================
 exp        1.5      below 2^-125.5 (float64: 2^-1021.5) flushed to 0; overflows to inf where it should
 expm1      2.5      -1 at the far left; the sign of zero is not kept
+log1p      1.5      -inf at -1, NaN below; inf stays
 asin_near  1        on [-0.7072, 0.7072] only
 asin       3        NaN outside [-1, 1]
 =========  =======  ====================================================================================
 
 NaN in, NaN out.  exp and expm1 share their reduction x = k ln(2) + r and polynomial, so a compiler does it once when it meets both:
-with s = 2^(k-1) and p = exp(r) - 1, exp(x) = 2 (s p + s) and expm1(x) = 2 (s p + (s - 1/2)).
+with s = 2^(k-1) and p = exp(r) - 1, exp(x) = 2 (s p + s) and expm1(x) = 2 (s p + (s - 1/2)).  log1p splits 1 + x = 2^k m and takes the
+polynomial of Sun's fdlibm (Ng, 1993) of m - 1, with what rounding lost of 1 + x put back.
 """
 
 from __future__ import annotations
@@ -37,8 +39,10 @@ class Precision:
         exp(x) is 0 and infinite there.
     ln2
         ln(2) as two numbers, the first with enough trailing zeros that k times it is exact.
-    exp, asin
-        Coefficients, lowest first.
+    one, half_root
+        The bits of 1 and of sqrt(1/2), where the fraction that log1p takes begins.
+    exp, asin, log
+        Coefficients, lowest first; of log, of (log(1 + f) - f + f^2/2) by powers of (f/(2 + f))^2, from fdlibm.
     """
 
     name: str
@@ -48,8 +52,11 @@ class Precision:
     lowest: float
     highest: float
     ln2: tuple[float, float]
+    one: int
+    half_root: int
     exp: tuple[float, ...]
     asin: tuple[float, ...]
+    log: tuple[float, ...]
 
 
 FLOAT32 = Precision(
@@ -60,8 +67,11 @@ FLOAT32 = Precision(
     lowest=-87.5,
     highest=89.0,
     ln2=(0.69311523, 3.1946183e-05),
+    one=0x3F800000,
+    half_root=0x3F3504F3,
     exp=(0.49999997, 0.16666543, 0.0416672, 0.008366514, 0.0013882522),
     asin=(0.16666906, 0.07488484, 0.046502333, 0.016388448, 0.07697573, -0.09262575, 0.11132111),
+    log=(0.66666662693, 0.40000972152, 0.28498786688, 0.24279078841),
 )
 FLOAT64 = Precision(
     name="float64",
@@ -71,6 +81,8 @@ FLOAT64 = Precision(
     lowest=-708.5,
     highest=710.0,
     ln2=(0.6931471803691238, 1.9082149292705877e-10),
+    one=0x3FF0000000000000,
+    half_root=0x3FE6A09E667F3BCD,
     exp=(
         0.5000000000000006,
         0.16666666666666588,
@@ -103,6 +115,15 @@ FLOAT64 = Precision(
         -3.4220721871174367,
         0.9215118736481213,
     ),
+    log=(
+        6.666666666666735130e-01,
+        3.999999999940941908e-01,
+        2.857142874366239149e-01,
+        2.222219843214978396e-01,
+        1.818357216161805012e-01,
+        1.531383769920937332e-01,
+        1.479819860511658591e-01,
+    ),
 )
 PRECISIONS = {"float32": FLOAT32, "float64": FLOAT64}
 
@@ -130,6 +151,26 @@ def exp(x):
 def expm1(x):
     s, p = exp_parts(x)
     return F(2.0) * (s * p + (s - F(0.5)))
+
+
+@part
+def log1p(x):
+    u = F(1.0) + x
+    shifted = I(bits_of(u) + I({above}))
+    exponent = I(I(shifted >> I({fraction})) - I({bias}))
+    m = float_of(I(I(shifted & I({mask})) + I({half_root})))
+    k = F(exponent)
+    near = exponent == I(0)
+    lost = select(x > F(1.0), F(1.0) - (u - x), x - (u - F(1.0)))
+    c = select(near, F(0.0), lost / u)
+    f = select(near, x, m - F(1.0))
+    s = f / (F(2.0) + f)
+    z = s * s
+    half = F(0.5) * (f * f)
+    tail = s * (half + z * {log}) + c + k * F({ln2[1]!r})
+    y = k * F({ln2[0]!r}) + (f - (half - tail))
+    y = select(u > F(0.0), y, select(u == F(0.0), F(-np.inf), F(np.nan)))
+    return select(x == F(np.inf), x, y)
 
 
 @part
@@ -170,4 +211,9 @@ def source(precision: Precision) -> str:
         fraction=precision.fraction,
         exp=horner(precision.exp, "r"),
         asin=horner(precision.asin, "z"),
+        above=precision.one - precision.half_root,
+        bias=precision.bias,
+        mask=(1 << precision.fraction) - 1,
+        half_root=precision.half_root,
+        log=horner(precision.log, "z"),
     )

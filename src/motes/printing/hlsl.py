@@ -20,6 +20,7 @@ LANGUAGE = Language(
     truth="bool",
     templates={
         "sqrt": "sqrt({0})",
+        "log1p": "log(1.0 + {0})",
         "minimum": "min({0}, {1})",
         "maximum": "max({0}, {1})",
         "where": "({0} ? {1} : {2})",
