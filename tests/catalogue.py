@@ -25,15 +25,18 @@ from motes.models import (
     GGX,
     GTR,
     Beckmann,
+    CoatedDiffuse,
     Conductor,
     Dielectric,
     Dust,
     DustLayer,
+    Hapke,
     Lambert,
     OrenNayar,
     Schlick,
     TorranceSparrow,
 )
+from motes.models.coated_diffuse import diffuse_reflectance
 from motes.models.gtr import gtr_grazing_roughness
 
 AtRows = Callable[[Rows], tuple[BRDF, NDArray[np.float64]]]
@@ -192,6 +195,17 @@ def beckmann(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
     return model, 0.7 * fresnel(r["cos_theta_d"], 1.2 + r["w"]) * published.beckmann(*angles(r), alpha)
 
 
+def hapke(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
+    B_0, h = r["K_d"], 0.01 + r["sigma_s"]
+    return Hapke(column(r["w"]), r["g"], B_0, h), published.hapke(*angles(r), r["w"], r["g"], B_0, h)
+
+
+def coated_diffuse(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
+    n = 1.2 + r["w"]
+    mean = diffuse_reflectance(NUMPY, n)  # test_models_richer.py says what it must be
+    return CoatedDiffuse(column(r["K_d"]), n), published.coated_diffuse(*angles(r), r["K_d"], n, mean)
+
+
 def dust(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
     return Dust(column(r["w"]), r["g"]), dust_brdf(r)
 
@@ -298,6 +312,8 @@ ENTRIES = (
     Entry("ggx_schlick", GGX(1.0, 0.6, Schlick((0.05, 0.5, 0.9))), ggx_schlick),
     Entry("gtr", GTR((1.0, 0.5), 0.15, 1.4), gtr),
     Entry("beckmann", Beckmann(1.0, 0.4, Dielectric(1.5)), beckmann),
+    Entry("coated_diffuse", CoatedDiffuse((0.9, 0.4), 1.5), coated_diffuse),
+    Entry("hapke", Hapke((0.9, 0.5), -0.3, 0.6, 0.1), hapke, at_most=None),
     Entry(
         "dust_isotropic", Dust(1.0, 0.0), dust, directional=isotropic_dust, spherical=(2 * (1 - np.log(2)) / 3, 1e-6)
     ),

@@ -11,9 +11,12 @@ from scipy.integrate import quad
 
 import golden
 from catalogue import column, dense_albedo, direction, upper_directions
+from golden import published
+from motes import equations
 from motes.arrays import NUMPY
 from motes.directions import Geometry, Vector
-from motes.models import EON, GGX, GTR, Beckmann, Lambert, TorranceSparrow
+from motes.models import EON, GGX, GTR, Beckmann, CoatedDiffuse, Dust, Hapke, Lambert, TorranceSparrow
+from motes.models.coated_diffuse import diffuse_reflectance
 from motes.models.gtr import gtr_grazing_roughness
 
 # ---------------------------------------------------------------- EON
@@ -151,3 +154,44 @@ def test_gtr_is_continuous_at_the_ends_of_its_parameters() -> None:
     wi, wo = upper_directions(200, 1), upper_directions(200, 2)
     for at, near in (((0.3, 1.0), (0.3, 1 + 1e-7)), ((1.0, 1.4), (1 - 1e-7, 1.4)), ((1.0, 1.0), (1 - 1e-7, 1 + 1e-7))):
         assert_allclose(GTR(0.7, *at).eval(wi, wo), GTR(0.7, *near).eval(wi, wo), rtol=1e-5)
+
+
+# ---------------------------------------------------------------- Hapke, and a body under an interface
+
+
+def test_hapke_without_surge_and_seen_once_is_dust() -> None:
+    wi, wo = upper_directions(500, 1), upper_directions(500, 2)
+    w = 1e-6  # H is 1 then, and nothing is scattered twice
+    assert_allclose(Hapke(w, 0.3, 0.0, 0.1).eval(wi, wo), Dust(w, 0.3).eval(wi, wo), rtol=1e-5)
+
+
+def test_the_surge_doubles_what_is_scattered_back() -> None:
+    """At opposition B is B_0, at tan(phase/2) = h half of it."""
+    w, at = direction(0.5), [direction(0.5 - 2 * np.arctan(x)) for x in (0.0, 0.08)]
+    once = [Dust(1e-6, -0.2).eval(w, wo)[0] for wo in at]
+    found = [Hapke(1e-6, -0.2, 1.0, 0.08).eval(w, wo)[0] for wo in at]
+    assert_allclose(np.divide(found, once), [2.0, 1.5], rtol=1e-5)
+
+
+@pytest.mark.parametrize("theta_i", [0.0, 0.7, 1.2])
+def test_white_particles_return_nearly_all_light(theta_i: float) -> None:
+    """H is an approximation; Chandrasekhar's own would return 1."""
+    assert_allclose(Hapke(1.0, 0.0, 0.0, 0.1).directional_albedo(direction(theta_i)), 1.0, atol=0.05)
+
+
+def test_the_mean_reflectance_of_an_interface() -> None:
+    n = np.array([1.0, 1.05, 1.2, 1.33, 1.5, 2.0, 3.0, 4.0])
+    assert_allclose(diffuse_reflectance(NUMPY, n), published.mean_fresnel(n), atol=2e-5)
+    assert_allclose(diffuse_reflectance(NUMPY, 1.5), 0.0918, atol=5e-5)  # Judd 1942, and every handbook since
+
+
+@pytest.mark.parametrize("n", [1.0, 1.33, 1.8])
+def test_a_white_body_under_an_interface_and_its_mirror_return_all_light(n: float) -> None:
+    for theta_i in (0.0, 0.8, 1.4):
+        mirror = equations.fresnel_dielectric(NUMPY, np.cos(theta_i), n)
+        assert_allclose(dense_albedo(CoatedDiffuse(1.0, n), direction(theta_i)), 1 - mirror, atol=1e-4)
+
+
+def test_without_an_interface_a_body_is_lambert() -> None:
+    wi, wo = upper_directions(100, 1), upper_directions(100, 2)
+    assert_allclose(CoatedDiffuse((0.7, 0.2), 1.0).eval(wi, wo), Lambert((0.7, 0.2)).eval(wi, wo), rtol=1e-13)

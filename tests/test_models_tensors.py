@@ -72,6 +72,8 @@ LIBRARIES = {"torch": with_torch, "jax": with_jax}
 # JAX compiles every model for a second or more; these hold every class between them, and PyTorch takes all entries.
 FOR_JAX = (
     "eon",
+    "hapke",
+    "coated_diffuse",
     "ggx",
     "gtr",
     "beckmann",

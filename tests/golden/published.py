@@ -69,6 +69,42 @@ def gtr(theta_i: Any, theta_r: Any, dphi: Any, alpha: Any, gamma: Any, masking: 
     return D / (1 + sum(Lambda)) / (4 * cosines)
 
 
+@_rows
+def hapke(theta_i: Any, theta_r: Any, dphi: Any, w: Any, g: Any, B_0: Any, h: Any) -> Any:
+    """Hapke 1981, (16) with (22), by the phase angle; BRDF: his reflectance over the cosine of incidence."""
+    mu_0, mu = mp.cos(theta_i), mp.cos(theta_r)
+    cos_phase = mu_0 * mu + mp.sin(theta_i) * mp.sin(theta_r) * mp.cos(dphi)
+    phase = mp.acos(max(min(cos_phase, 1), -1))
+    P = (1 - g**2) / (1 + 2 * g * cos_phase + g**2) ** mp.mpf(1.5)
+    B = B_0 / (1 + mp.tan(phase / 2) / h)
+    H = [(1 + 2 * x) / (1 + 2 * x * mp.sqrt(1 - w)) for x in (mu_0, mu)]
+    return w / (4 * mp.pi) / (mu_0 + mu) * ((1 + B) * P + H[0] * H[1] - 1)
+
+
+def _fresnel(cosine: Any, n: Any) -> Any:
+    """By Snell's law and the angles."""
+    theta = mp.acos(cosine)
+    inside = mp.asin(mp.sin(theta) / n)
+    if theta == 0:
+        return ((n - 1) / (n + 1)) ** 2
+    s, p = mp.sin(theta - inside) / mp.sin(theta + inside), mp.tan(theta - inside) / mp.tan(theta + inside)
+    return (s**2 + p**2) / 2
+
+
+@_rows
+def mean_fresnel(n: Any) -> Any:
+    """The mean of F for diffuse light from outside, by quadrature."""
+    return mp.quad(lambda mu: 2 * mu * _fresnel(mu, n), [0, 0.01, 0.1, 0.5, 1])
+
+
+@_rows
+def coated_diffuse(theta_i: Any, theta_r: Any, dphi: Any, rho: Any, n: Any, mean: Any) -> Any:
+    """Transmitted, reflected by the body, transmitted; and what the interface sends back inside, again."""
+    inside = 1 - (1 - mean) / n**2
+    through = (1 - _fresnel(mp.cos(theta_i), n)) * (1 - _fresnel(mp.cos(theta_r), n)) / n**2
+    return rho / mp.pi * through / (1 - rho * inside)
+
+
 def _fujii(r: Any) -> tuple[Any, Any]:
     """A and B of Fujii's lobe."""
     A = 1 / (1 + (mp.mpf(1) / 2 - 2 / (3 * mp.pi)) * r)

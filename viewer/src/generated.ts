@@ -474,6 +474,126 @@ export const MODELS: Record<string, ModelDeclaration> = {
       }
     ]
   },
+  "coated_diffuse": {
+    "brdf": true,
+    "summary": "What comes back from below a gloss: paint, varnished wood, plastic, glazed clay. Its highlight is another model: ``+ GGX(...)``.",
+    "fields": [
+      {
+        "kind": "parameter",
+        "name": "rho",
+        "symbol": "\\rho",
+        "unit": "",
+        "meaning": "diffuse reflectance of the body, as seen from inside",
+        "value": 0.5,
+        "low": 0,
+        "high": 1,
+        "open": false,
+        "typical": [
+          0,
+          1
+        ],
+        "perChannel": true,
+        "role": "diffuse_colour",
+        "advice": "It is an albedo: scale radiances to at most 1, or take lambert, which allows any K_d"
+      },
+      {
+        "kind": "parameter",
+        "name": "n",
+        "symbol": "n",
+        "unit": "",
+        "meaning": "refractive index of the body relative to the outside",
+        "value": 1.5,
+        "low": 1,
+        "high": 4,
+        "open": false,
+        "typical": [
+          1.2,
+          2
+        ],
+        "perChannel": false,
+        "role": "refractive_index",
+        "advice": "Water 1.33, glass and varnish 1.5, diamond 2.4"
+      }
+    ]
+  },
+  "hapke": {
+    "brdf": true,
+    "summary": "An opaque bed of particles: powders, soil, pigments, the surfaces of the Moon and of asteroids.",
+    "fields": [
+      {
+        "kind": "parameter",
+        "name": "w",
+        "symbol": "w",
+        "unit": "",
+        "meaning": "single-scattering albedo of the particles",
+        "value": 0.6,
+        "low": 0,
+        "high": 1,
+        "open": false,
+        "typical": [
+          0,
+          1
+        ],
+        "perChannel": true,
+        "role": "single_scattering_albedo",
+        "advice": ""
+      },
+      {
+        "kind": "parameter",
+        "name": "g",
+        "symbol": "g",
+        "unit": "",
+        "meaning": "mean cosine of the deviation angle",
+        "value": -0.2,
+        "low": -1,
+        "high": 1,
+        "open": true,
+        "typical": [
+          -0.6,
+          0.6
+        ],
+        "perChannel": false,
+        "role": "asymmetry",
+        "advice": "g > 0 scatters forward, g < 0 backward, 0 evenly"
+      },
+      {
+        "kind": "parameter",
+        "name": "B_0",
+        "symbol": "B_0",
+        "unit": "",
+        "meaning": "height of the opposition surge, of what particles scatter back",
+        "value": 0.5,
+        "low": 0,
+        "high": 1,
+        "open": false,
+        "typical": [
+          0,
+          1
+        ],
+        "perChannel": false,
+        "role": "surge_strength",
+        "advice": ""
+      },
+      {
+        "kind": "parameter",
+        "name": "h",
+        "symbol": "h",
+        "unit": "",
+        "meaning": "angular half width of the opposition surge, tan of half the angle between light and viewer",
+        "value": 0.06,
+        "low": 0.001,
+        "high": 1,
+        "open": false,
+        "typical": [
+          0.01,
+          0.3
+        ],
+        "perChannel": false,
+        "role": "surge_width",
+        "advice": ""
+      }
+    ]
+  },
   "dielectric": {
     "brdf": false,
     "summary": "Glass, varnish, plastic, water: a real refractive index; exact.",

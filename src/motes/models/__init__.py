@@ -18,6 +18,8 @@ from motes.models.ggx import GGX
 from motes.models.beckmann import Beckmann
 from motes.models.gtr import GTR
 from motes.models.dust import Dust, DustLayer
+from motes.models.coated_diffuse import CoatedDiffuse
+from motes.models.hapke import Hapke
 from motes.models.fresnel import Conductor, Dielectric, Fresnel, Schlick
 from motes.models.composition import Layer, layer_of, on_base
 from motes.models.expressions import describe, parse
@@ -29,6 +31,7 @@ __all__ = [
     "GGX",
     "GTR",
     "Beckmann",
+    "CoatedDiffuse",
     "Component",
     "Conductor",
     "CosineLobe",
@@ -36,6 +39,7 @@ __all__ = [
     "Dust",
     "DustLayer",
     "Fresnel",
+    "Hapke",
     "Lambert",
     "Layer",
     "Lobe",

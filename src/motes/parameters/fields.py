@@ -34,6 +34,8 @@ class Role(Enum):
     DEPTH = "optical thickness of a layer"
     SINGLE_SCATTERING_ALBEDO = "single-scattering albedo"
     ASYMMETRY = "mean cosine of the scattering angle"
+    SURGE_STRENGTH = "height of the opposition surge"
+    SURGE_WIDTH = "width of the opposition surge"
 
 
 class Place(Enum):
