@@ -13,6 +13,7 @@ from motes.version import __version__
 if TYPE_CHECKING:
     from motes.errors import MotesError
     from motes.fitting import Fit, fit
+    from motes.fitting.conversion import convert
     from motes.material import Material, load
     from motes.measurements import Measurement, read
     from motes.models import (
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
 _HOMES = {
     "MotesError": "errors",
     "Fit": "fitting",
+    "convert": "fitting.conversion",
     "fit": "fitting",
     "Material": "material",
     "load": "material",
@@ -100,6 +102,7 @@ __all__ = [
     "TorranceSparrow",
     "View",
     "__version__",
+    "convert",
     "fit",
     "load",
     "read",

@@ -39,6 +39,7 @@ def export(
     *,
     to: To,
     output: Annotated[str | None, Parameter(name=["--output", "-o"])] = None,
+    as_model: Annotated[str | None, Parameter(name="--as")] = None,
     hours: Annotated[str | None, Parameter()] = None,
     glsl_version: Literal["300 es", "450"] | None = None,
     scalar: Literal["double", "float"] | None = None,
@@ -59,6 +60,9 @@ def export(
         The program or language.
     output
         The file to write; a name made of the material's when not given. Some targets write further files beside it.
+    as_model
+        Another model to say the material with, such as "eon + ggx(fresnel=schlick)": its parameters are fitted over the hemisphere, and how far
+        it is from the material's own is said.
     hours
         The moment of a material that follows time, its first one when not given; a csv takes several, such as 0,1,2.5.
     glsl_version
@@ -75,8 +79,10 @@ def export(
 
     given = (("version", glsl_version), ("scalar", scalar), ("basis", basis))
     options = {name: value for name, value in given if value is not None}
-    source = _source(material, to, reading)
-    done = write(source, to, output, hours=_hours(hours), **options)
+    source, moments = _source(material, to, reading), _hours(hours)
+    if as_model is not None:
+        source, moments = _converted(source, as_model, moments), None
+    done = write(source, to, output, hours=moments, **options)
     if common.json:
         console.print_json({"to": to, "files": [str(file) for file in done.files], "notes": list(done.notes)})
     elif not common.quiet:
@@ -103,6 +109,26 @@ def _source(path: str, to: str, reading: Reading) -> Material | Measurement:
     if not isinstance(found, Measurement):
         raise DataError(f"{path} holds maps of parameters, not measured samples", "They are no table of directions")
     return found
+
+
+def _converted(source: Material | Measurement, model: str, hours: list[float] | None) -> Material:
+    """The material at a moment, said with another model."""
+    from dataclasses import replace
+
+    from motes.errors import MotesError
+    from motes.fitting.conversion import convert
+    from motes.material import Material
+
+    if not isinstance(source, Material):
+        raise MotesError(
+            "--as is for materials, and this is measured data", f"motes fit DATA --model {model!r} fits it"
+        )
+    if hours is not None and len(hours) > 1:
+        raise MotesError("--as takes one moment", f"Write --hours {hours[0]:g}")
+    interval = source.interval
+    moment = hours[0] if hours else interval[0] if interval else 0.0
+    found = convert(source.at(moment), model)
+    return replace(source, brdf=found.brdf, trends={}, about={**source.about, "converted": found.said()})
 
 
 def _hours(text: str | None) -> list[float] | None:

@@ -133,7 +133,8 @@ def subject(material: Any, hours: float | None = None) -> Subject:
 
 def _origin(material: Material) -> tuple[str, ...]:
     said = not_measured(material.about.get("data"))
-    return (said,) if said else ()
+    converted = str(material.about.get("converted", ""))
+    return tuple(text for text in (said, converted) if text)
 
 
 def _channels(material: Material) -> tuple[str, ...]:

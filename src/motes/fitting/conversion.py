@@ -1,0 +1,132 @@
+"""From one model to another: the parameters that come nearest over the hemisphere, with the distance that is left.
+
+Formulas between parameters (alpha = roughness^2, sigma_s = alpha) hold for one angle or for small values; what a program shows is light from everywhere.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from motes.directions import above, from_spherical
+from motes.errors import MotesError
+from motes.fitting.front import fit
+from motes.fitting.result import Fit
+from motes.measurements import Measurement
+from motes.models import BRDF, Lambert, describe, parse
+from motes.parameters import Role
+
+Floats = NDArray[np.float64]
+#: Polar angles of the light [rad], Gauss-Legendre nodes of [0, pi/2], and directions towards the viewer for each.
+LIGHTS, VIEWERS = 10, 150
+
+
+@dataclass(frozen=True)
+class Conversion:
+    """What `convert` returns.
+
+    Attributes
+    ----------
+    brdf
+        The other model.
+    relative_rms
+        The root mean square of what differs over the hemisphere (values times both cosines), relative to that of the source.
+    albedo
+        The largest difference of the directional albedos at the same angles, over channels.
+    """
+
+    brdf: BRDF
+    relative_rms: float
+    albedo: float
+
+    def said(self) -> str:
+        """A sentence for people and for files."""
+        return (
+            f"Converted to {describe(self.brdf)} by a fit over the hemisphere: {100 * self.relative_rms:.2g} % relative RMS, albedos within "
+            f"{self.albedo:.2g}."
+        )
+
+
+def convert(model: BRDF | str, to: str) -> Conversion:
+    """The parameters of another model with which it reflects most nearly the same.
+
+    Parameters
+    ----------
+    model
+        A BRDF, or its text with values: ``"oren_nayar(K_d=0.5, sigma_d=0.3)"``.
+    to
+        The text of the other: ``"eon + ggx(fresnel=schlick)"``; values given in it are held.
+
+    Returns
+    -------
+    Conversion
+        With its error: nothing is exact but a model of the same kind.
+
+    Raises
+    ------
+    MotesError
+        For a source that is not reciprocal (brightness of dust), or black.
+
+    Examples
+    --------
+    >>> from motes import Beckmann
+    >>> found = convert(Beckmann(0.5, 0.3), "torrance_sparrow(normalization=facets)")
+    >>> round(float(found.brdf.parameters["sigma_s"]), 2)
+    0.31
+    """
+    source = parse(model).model if isinstance(model, str) else model
+    if not source.reciprocal:
+        raise MotesError(f"{describe(source)} is not reciprocal, so it is no BRDF", "Give dust form='brdf'")
+    wi, wo, weights = _pairs(source)
+    values = source.eval(wi, wo)
+    if not values.any():
+        raise MotesError(f"{describe(source)} reflects nothing: there is nothing to convert", "Give it a colour")
+    about = {"name": describe(source), "simulated": f"values of {describe(source)}"}
+    data = Measurement.from_arrays(wi, wo, values, weights=weights, provenance=about)
+    target = parse(to).model
+    coloured = any(np.ndim(s.value) and s.parameter.shared_in_fit for s in source.slots())
+    strengths = tuple(slot.name for slot in target.slots(Role.HIGHLIGHT_STRENGTH)) if coloured else ()
+    found = fit(data, to, per_channel=strengths)
+    assert isinstance(found, Fit)  # one time
+    brdf = found.material.brdf
+    return Conversion(brdf, _relative(brdf, source), _albedo(brdf, source))
+
+
+def _pairs(*models: BRDF) -> tuple[Floats, Floats, Floats]:
+    """Directions for every light, as many after the cosine as after each model's own lobes, and the weight of each: solid angle times cosine."""
+    x, polar = np.polynomial.legendre.leggauss(LIGHTS)
+    theta = 0.25 * np.pi * (x + 1)
+    numbers = _even(VIEWERS)
+    samplers = (Lambert(1.0), *models)
+    found: list[tuple[Floats, Floats, Floats]] = []
+    for light, share in zip(from_spherical(theta, 0.0), polar * np.sin(theta), strict=True):
+        chosen = np.concatenate([np.asarray(m.sample(light, numbers).wo) for m in samplers])
+        chosen = chosen[above(chosen)]
+        density = sum(np.asarray(m.pdf(light, chosen)) for m in samplers)
+        # The loss brings the light's cosine; the viewer's makes it what reaches the viewer from the surface as it is seen.
+        found.append((np.broadcast_to(light, chosen.shape), chosen, share * chosen[:, 2] ** 2 / density))
+    wi, wo, weights = (np.concatenate(parts) for parts in zip(*found, strict=True))
+    return wi, wo, weights
+
+
+def _even(count: int) -> Floats:
+    """Evenly spread points (count, 2) of the unit square: Roberts' sequence."""
+    ratio = 1.32471795724474602596  # the root of x^3 = x + 1
+    k = np.arange(1, count + 1)[:, None]
+    return np.asarray((0.5 + k * np.array([1 / ratio, 1 / ratio**2])) % 1.0)
+
+
+def _relative(brdf: BRDF, source: BRDF) -> float:
+    """The relative root mean square over directions of both models, of which the fit saw those of the source alone."""
+    wi, wo, weights = _pairs(source, brdf)
+    seen = (weights * wi[:, 2] ** 2)[:, None]
+    wanted = source.eval(wi, wo)
+    return float(np.sqrt(np.sum(seen * (brdf.eval(wi, wo) - wanted) ** 2) / np.sum(seen * wanted**2)))
+
+
+def _albedo(brdf: BRDF, source: BRDF) -> float:
+    """The largest difference of directional albedos, up to 80 degrees."""
+    wi = from_spherical(np.radians(np.linspace(0, 80, 9)), 0.0)
+    return float(np.max(np.abs(brdf.directional_albedo(wi) - source.directional_albedo(wi))))
