@@ -10,7 +10,7 @@ from motes.exports.subject import Subject
 from motes.models import Reflection
 from motes.printing import glsl as glsl_language
 from motes.printing import osl as osl_language
-from motes.printing.language import comment, indented
+from motes.printing.language import POWER_WITHOUT_BITS, comment, indented
 
 _FRAME = """vec3 tangent = normalize(cross(abs(N.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0), N));
 vec3 bitangent = cross(N, tangent);
@@ -21,8 +21,8 @@ vec3 wo = vec3(dot(V, tangent), dot(V, bitangent), dot(V, N));"""
 def formula(prepared: Prepared, subject: Subject, name: str) -> str:
     """The BRDF, which the other two files include; its names begin with the material's, so that several fit into one shader."""
     lines = heading(prepared, subject.name, "GLSL for MaterialX's genglsl", subject.notes)
-    # Metal, which MaterialX makes of this, has another name for intBitsToFloat; exp2 of a whole number is as good.
-    language = replace(glsl_language.language("450"), power="exp2({k} - 1.0)")
+    # Metal, which MaterialX makes of this, has another name for intBitsToFloat.
+    language = replace(glsl_language.language("450"), power=POWER_WITHOUT_BITS)
     definition = prepared.definition(language, f"motes_{name}_at", f"motes_{name}")
     return "\n".join([*lines, "", *definition]) + "\n"
 

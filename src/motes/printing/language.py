@@ -13,6 +13,8 @@ from motes.graph.tracing import Symbol
 
 OWN = ("asin", "exp", "expm1")
 WIDTH = 118
+#: `Language.power` where the bits of numbers cannot be written: exp2 of a whole number is exact.
+POWER_WITHOUT_BITS = "({k} < -125.0 ? 0.0 : exp2({k} - 1.0))"
 # Numbers of the equations that have a name, and why they are what they are.
 CONSTANTS = {
     equations.INV_PI: ("INV_PI", "1/pi"),
@@ -51,7 +53,7 @@ class Language:
     components
         The three components of a colour ``{0}``.
     power
-        2^(k - 1) for a whole number k, with ``{k}``: exact.
+        2^(k - 1) for a whole number k, with ``{k}``: exact, and 0 for k = -126, where float32 keeps only some of its bits.
     literal
         Writes a number.
     reserved

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motes.printing.language import Language
+from motes.printing.language import POWER_WITHOUT_BITS, Language
 
 _WORDS = """closure color displacement emit illuminance illuminate light matrix normal output point private public shader string surface texture
 transform uniform unlit varying vector volume and or not global I N P Ng Ci u v dPdu dPdv Ps time dtime dPdtime M_PI M_1_PI M_PI_2 abs acos area
@@ -27,7 +27,7 @@ LANGUAGE = Language(
     constant="float {name} = {value};",
     splat="color({0})",
     components=("{0}[0]", "{0}[1]", "{0}[2]"),
-    power="exp2({k} - 1.0)",  # exact for whole numbers, and the language has no bits of numbers
+    power=POWER_WITHOUT_BITS,
     array_header="void {name}({arguments}, output float f[{count}])",
     reserved=frozenset(_WORDS.split()),
 )
