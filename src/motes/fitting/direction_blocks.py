@@ -1,0 +1,76 @@
+"""Blocks of neighbouring directions, whose residuals go together where a model does not fit.
+
+What a model misses of a material it misses alike at neighbouring pairs of directions, and in all channels of one.  So what has
+to be independent (errors summed over parts of the data, or parts that are left out and predicted) is taken by blocks.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from motes.directions import half_difference
+from motes.fitting.losses import Floats
+
+Labels = NDArray[np.intp]
+#: How many blocks, where nothing else is asked for, and the fewest pairs of directions in one.
+BLOCKS, LEAST_DIRECTIONS = 24, 4
+# Pairs whose coordinates differ by less are at one place [rad]: directions in files of single precision.
+SAME = 1e-6
+
+
+def blocks_of(wi: Floats, wo: Floats, count: int = BLOCKS) -> Labels:
+    """The block that each pair of directions is in, from 0: compact in Rusinkiewicz's coordinates, of about as many pairs each.
+
+    The pairs are cut in two across the coordinate that they are widest in, and so is each part, until there are `count`.  The
+    coordinates are theta_h, theta_d and, for the azimuth, sin(theta_h) sin(theta_d) |phi_d| with phi_d folded into a quarter.
+    Pairs that a reciprocal, isotropic surface cannot tell apart (light and viewer swapped, mirrored, turned about the normal)
+    are at one place, and places are never cut.  Nothing is random: the same pairs give the same blocks, in any order.
+
+    Parameters
+    ----------
+    wi, wo
+        Unit vectors (N, 3) to the light and to the viewer, above the surface.
+    count
+        How many blocks are wanted, at least 1.
+
+    Returns
+    -------
+    labels (N,), all of 0 to G - 1, where G is `count`, or less where a block would have fewer than `LEAST_DIRECTIONS` pairs or
+    the pairs are at too few places.
+
+    Examples
+    --------
+    >>> from motes.directions import from_spherical
+    >>> theta = np.linspace(0.1, 1.4, 12)
+    >>> blocks_of(from_spherical(theta, 0.0), from_spherical(theta, np.pi), 3).tolist()
+    [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2]
+    """
+    at = _coordinates(wi, wo)
+    labels = np.zeros(len(at), np.intp)
+    for k, part in enumerate(_cut(at, np.arange(len(at)), count)):
+        labels[part] = k
+    return labels
+
+
+def _cut(at: Floats, part: Labels, count: int) -> list[Labels]:
+    """A part cut into `count` blocks, or as many as there can be."""
+    count = min(count, len(part) // LEAST_DIRECTIONS)
+    if count < 2:
+        return [part]
+    first = count // 2
+    for axis in np.argsort(-np.ptp(at[part], axis=0), kind="stable"):
+        order = part[np.argsort(at[part, axis], kind="stable")]
+        cuts = np.flatnonzero(np.diff(at[order, axis]) > SAME) + 1
+        cuts = cuts[(cuts >= LEAST_DIRECTIONS) & (cuts <= len(part) - LEAST_DIRECTIONS)]
+        if len(cuts):
+            where = cuts[np.argmin(np.abs(count * cuts - first * len(part)))]
+            return [*_cut(at, order[:where], first), *_cut(at, order[where:], count - first)]
+    return [part]
+
+
+def _coordinates(wi: Floats, wo: Floats) -> Floats:
+    """Coordinates (N, 3) [rad] of what a reciprocal, isotropic surface can tell apart."""
+    theta_h, theta_d, phi_d = half_difference(wi, wo)
+    quarter = np.arctan2(np.abs(np.sin(phi_d)), np.abs(np.cos(phi_d)))
+    return np.stack([theta_h, theta_d, np.sin(theta_h) * np.sin(theta_d) * quarter], axis=-1)
