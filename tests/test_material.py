@@ -137,17 +137,17 @@ def test_trends_are_of_parameters_that_are_there() -> None:
     [
         (b"", "is not JSON"),
         (b"{", "is not JSON"),
-        (b"\xff\xfe\x00", "is not JSON"),
-        (b"[" * 100_000, "is not JSON"),
-        (b"null", "is not a Motes material"),
-        (b"[]", "is not a Motes material"),
+        (b"\xff\xfe\x00", "cannot be read as JSON"),
+        (b"[" * 100_000, "nested 100000 deep"),
+        (b"null", "holds a NoneType instead of an object"),
+        (b"[]", "holds a list instead of an object"),
         (b"{}", "is not a Motes material"),
-        (b'"motes material"', "is not a Motes material"),
+        (b'"motes material"', "holds a str instead of an object"),
         (b'{"format": "motes material"}', "version None"),
         (b'{"format": "motes material", "version": 2}', "version 2 is newer than 1"),
         (b'{"format": "motes material", "version": 1}', "incomplete or damaged"),
         (b'{"format": "motes material", "version": 1, "parameters": {}, "model": "phong"}', "'phong' is not a model"),
-        (b"1" * 5000, "is not JSON"),
+        (b"1" * 5000, "cannot be read as JSON"),
     ],
 )
 def test_damaged_files_are_refused(tmp_path: Path, content: bytes, message: str) -> None:
@@ -257,3 +257,29 @@ def test_a_folder_that_cannot_be_written_is_an_error(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("not a folder")
     with pytest.raises(MotesError, match="cannot be written"):
         Material(Lambert()).save(tmp_path / "file" / "m.json")
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"about": {"data": {"source": float("inf")}}}, r"about\.data\.source is inf, not a finite number"),
+        ({"name": [float("nan")]}, r"name\.0 is nan"),
+        ({"channels": [f"c{k}" for k in range(31)]}, "31 channels are named, and a parameter has 3 values"),
+        ({"wavelengths_nm": [400.0, 500.0]}, "2 wavelengths do not fit 3 channels"),
+        ({"wavelengths_nm": [400.0, 500.0, -1.0]}, "or are no lengths"),
+        (
+            {"trends": {"K_d": {"kind": "tabulated", "hours": [0, 1], "values": [[1] * 4] * 2}}},
+            "a parameter has 4 values",
+        ),
+        ({"trends": {"K_d": {"kind": "tabulated", "hours": [0, 1], "values": 1}}}, "damaged|as many values"),
+        ({"trends": {"K_d": {"kind": "tabulated", "hours": [0, None], "values": [1, 1]}}}, "increasing times"),
+    ],
+)
+def test_what_does_not_fit_is_refused(tmp_path: Path, change: dict[str, object], message: str) -> None:
+    path = tmp_path / "material.json"
+    rgb = Material(OrenNayar(K_d=(0.3, 0.4, 0.5)), channels=("R", "G", "B"))
+    load(rgb.save(path))
+    path.write_text(json.dumps({**rgb.to_dict(), **change}))
+    with pytest.raises(MotesError, match=message) as caught:
+        load(path)
+    assert caught.value.hint

@@ -14,10 +14,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from motes.channels import GREY
 from motes.errors import FormatError, MotesError, ParameterError
-from motes.files import write_text
+from motes.files import structured, write_text
 from motes.models import BRDF, describe, parse
 from motes.parameters import Parameter
-from motes.trends import AnyTrend, trend_from_dict
+from motes.trends import AnyTrend, Tabulated, trend_from_dict
 
 VERSION = 1
 LARGEST_FILE = 64 * 2**20
@@ -62,6 +62,17 @@ class Material:
         if unknown:
             raise ParameterError(
                 f"{describe(self.brdf)} has no parameter {unknown[0]!r} to follow a trend", f"It has {', '.join(names)}"
+            )
+        count = len(self.channels)
+        if self.wavelengths and (len(self.wavelengths) != count or not all(0 < w < np.inf for w in self.wavelengths)):
+            raise ParameterError(
+                f"{len(self.wavelengths)} wavelengths do not fit {count} channels, or are no lengths",
+                "Give one above 0 [nm] for each channel, or none",
+            )
+        widths = {self.brdf.channels, *(_width(trend) for trend in self.trends.values())} - {None, 1, count}
+        if widths and count > 1:
+            raise ParameterError(
+                f"{count} channels are named, and a parameter has {widths.pop()} values", "Give as many names as values"
             )
 
     def at(self, hours: ArrayLike = 0.0) -> BRDF:
@@ -159,6 +170,22 @@ class Material:
         return write_text(path, json.dumps(self.to_dict(), indent=1, allow_nan=False) + "\n")
 
 
+def _width(trend: AnyTrend) -> int | None:
+    """Channels of a trend's values; None when they have none."""
+    if isinstance(trend, Tabulated):
+        return None if trend.values.ndim == 1 else trend.values.shape[1]
+    return trend.channels
+
+
+def _finite(value: Any, where: str) -> None:
+    """Refuse JSON with numbers that are not: Python reads Infinity, and 1e400 as one."""
+    if isinstance(value, float) and not np.isfinite(value):
+        raise FormatError(f"{where} is {value}, not a finite number", "Write the material again with motes fit")
+    members = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for key, member in members:
+        _finite(member, f"{where}.{str(key)[:40]}")
+
+
 def _inside(value: NDArray[np.float64], parameter: Parameter) -> NDArray[np.float64]:
     """Within the range that the model accepts; an open bound is kept off by a hair."""
     low, high = parameter.bounds
@@ -178,13 +205,13 @@ def load(path: str | os.PathLike[str]) -> Material:
     try:
         if file.stat().st_size > LARGEST_FILE:
             raise FormatError(
-                f"{file} has {file.stat().st_size} bytes, more than the {LARGEST_FILE} that a material may have"
+                f"{file} has {file.stat().st_size} bytes, more than the {LARGEST_FILE} that a material may have",
+                "Give the path of a material that motes fit wrote",
             )
-        data = json.loads(file.read_text(encoding="utf-8"))
+        data = structured.json_object(file)
     except OSError as error:
         raise FormatError(
             f"{file} cannot be read: {error.strerror or error}", "Give the path of a material that motes fit wrote"
         ) from error
-    except (ValueError, RecursionError) as error:
-        raise FormatError(f"{file} is not JSON: {error}", "Give the path of a material that motes fit wrote") from error
+    _finite(data, str(file))
     return Material.from_dict(data)

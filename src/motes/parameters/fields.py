@@ -204,7 +204,9 @@ class PartField:
     def check(self, owner: str, value: object) -> None:
         """Raise `ParameterError` unless `value` may stand here."""
         if not (isinstance(value, self.accepts) or (self.optional and value is None)):
-            raise ParameterError(f"{owner}: {self.name} = {_shown(value)} is not {self.what}", self.advice)
+            raise ParameterError(
+                f"{owner}: {self.name} = {_shown(value)} is not {self.what}", self.advice or f"Give {self.what}"
+            )
 
 
 def _shown(value: object) -> str:

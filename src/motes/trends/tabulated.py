@@ -33,10 +33,14 @@ class Tabulated:
 
     def __post_init__(self) -> None:
         hours, values = np.asarray(self.hours, float), np.asarray(self.values, float)
-        if hours.ndim != 1 or len(hours) == 0 or np.any(np.diff(hours) <= 0) or len(values) != len(hours):
+        forward = hours.ndim == 1 and len(hours) > 0 and np.isfinite(hours).all() and np.all(np.diff(hours) > 0)
+        if not forward or values.ndim not in (1, 2) or values.size == 0 or len(values) != len(hours):
             raise DataError(
-                f"a tabulated trend wants increasing times and as many values: {hours.shape} and {values.shape}"
+                f"a tabulated trend wants increasing times and as many values: {hours.shape} and {values.shape}",
+                "Give values (T,) or (T, C) for times (T,) in hours",
             )
+        if not np.isfinite(values).all():
+            raise DataError("a value of a tabulated trend is not finite", "Leave out the times without one")
         object.__setattr__(self, "hours", hours)
         object.__setattr__(self, "values", values)
 
@@ -67,6 +71,8 @@ def trend_from_dict(data: Mapping[str, Any]) -> AnyTrend:
         try:
             hours, values = np.asarray(data["hours"], float), np.asarray(data["values"], float)
         except (TypeError, ValueError, OverflowError) as error:
-            raise ParameterError(f"a tabulated trend is damaged: {error}") from None
+            raise ParameterError(
+                f"a tabulated trend is damaged: {error}", "Write the material again with motes fit"
+            ) from None
         return Tabulated(hours, values)
     return Trend.from_dict(data)

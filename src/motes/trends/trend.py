@@ -40,21 +40,30 @@ class Trend:
 
     def __post_init__(self) -> None:
         if self.kind not in KINDS:
-            raise ParameterError(f"trend {self.kind!r} is not one of {', '.join(KINDS)}")
+            raise ParameterError(f"trend {str(self.kind)[:40]!r} is not one of {', '.join(KINDS)}", "Name one of them")
         expected = [c.name for c in KINDS[self.kind].coefficients]
         if sorted(self.coefficients) != sorted(expected):
             raise ParameterError(
-                f"a {self.kind} trend has the coefficients {', '.join(expected)}, not {', '.join(self.coefficients)}"
+                f"a {self.kind} trend has the coefficients {', '.join(expected)}, not {', '.join(self.coefficients)}",
+                "Give each of them",
             )
         start, end = self.interval
         if not (np.isfinite(start) and np.isfinite(end) and end > start):
-            raise ParameterError(f"the interval {start:g} to {end:g} h of a trend does not go forward in time")
+            raise ParameterError(
+                f"the interval {start:g} to {end:g} h of a trend does not go forward in time",
+                "Give the first and the last time [h]",
+            )
         try:
             values = {name: np.asarray(self.coefficients[name], float) for name in expected}
         except (TypeError, ValueError, OverflowError) as error:
-            raise ParameterError(f"a coefficient of a {self.kind} trend is not a number: {error}") from None
+            raise ParameterError(
+                f"a coefficient of a {self.kind} trend is not a number: {error}", "Give numbers, or a list for each"
+            ) from None
         if not all(np.isfinite(v).all() for v in values.values()):
-            raise ParameterError(f"a coefficient of a {self.kind} trend is not finite: {dict(self.coefficients)}")
+            raise ParameterError(
+                f"a coefficient of a {self.kind} trend is not finite: {str(dict(self.coefficients))[:200]}",
+                "Give numbers that are",
+            )
         widths = {v.shape for v in values.values() if v.ndim}
         if len(widths) > 1 or any(len(w) != 1 or w[0] == 0 for w in widths):
             raise ParameterError(
@@ -77,7 +86,9 @@ class Trend:
                 )
         low, high = self.bounds
         if not low <= high:
-            raise ParameterError(f"the bounds {low:g} to {high:g} of a trend are the wrong way round")
+            raise ParameterError(
+                f"the bounds {low:g} to {high:g} of a trend are the wrong way round", "Give the lower one first"
+            )
         size = sum(v.size for v in values.values())
         if self.covariance is not None and np.shape(self.covariance) != (size, size):
             raise ParameterError(
@@ -145,7 +156,9 @@ class Trend:
             bounds = (-np.inf if low is None else float(low), np.inf if high is None else float(high))
             matrix = None if covariance is None else np.asarray(covariance, float)
         except (TypeError, ValueError, OverflowError) as error:
-            raise ParameterError(f"a trend is incomplete or damaged: {error}") from None
+            raise ParameterError(
+                f"a trend is incomplete or damaged: {error}", "Write the material again with motes fit"
+            ) from None
         return cls(kind, coefficients, interval, bounds, matrix)
 
     def _evaluated(self, hours: ArrayLike) -> tuple[Floats, dict[str, Floats]]:
