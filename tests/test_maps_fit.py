@@ -339,6 +339,34 @@ def test_damaged_fits_are_explained(fitted: maps.FittedMap, tmp_path: Path) -> N
 # ---------------------------------------------------------------- options
 
 
+@pytest.mark.parametrize(
+    ("name", "change"),
+    [
+        ("K_d_verdict", {"data_type": "float32", "fill_value": 0.0}),
+        ("status", {"data_type": "uint16"}),
+        ("sigma_d", {"data_type": "int32", "fill_value": 0}),
+        ("K_d", {"shape": [2**20, 2**20, 1, 3]}),
+        ("status", {"shape": [12], "chunk_grid": {"name": "regular", "configuration": {"chunk_shape": [12]}}}),
+    ],
+)
+def test_maps_of_another_kind_or_size_are_refused(
+    fitted: maps.FittedMap, tmp_path: Path, name: str, change: dict[str, Any]
+) -> None:
+    copy = support.copy(fitted.path, tmp_path / "copy.zarr")
+    about = copy / name / "zarr.json"
+    about.write_text(json.dumps(json.loads(about.read_text()) | change))
+
+    def use() -> None:
+        found = maps.open_map(copy)
+        assert isinstance(found, maps.FittedMap)
+        found.summary()
+        found.material(0, 0)
+
+    with pytest.raises(FormatError) as caught:
+        use()
+    assert caught.value.hint
+
+
 def test_the_model_may_be_chosen(paint: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("motes.maps.choosing.CANDIDATES", ("lambert", MODEL))
     chosen = maps.fit_map(paint, "auto", out=tmp_path / "a.zarr")

@@ -246,7 +246,7 @@ def test_absurd_sizes_are_refused_before_anything_is_read(tmp_path: Path) -> Non
     refused(made.path, "chunks, more than")
     about["chunk_grid"]["configuration"]["chunk_shape"][:2] = [2**16, 2**16]
     file.write_text(json.dumps(about))
-    refused(made.path, "GiB", "chunks of 64 x 64")
+    refused(made.path, "MiB", "chunks of 64 x 64")
 
 
 def test_a_new_map_does_not_overwrite(tmp_path: Path) -> None:
@@ -288,3 +288,48 @@ def test_simulated_maps_keep_their_truth(tmp_path: Path) -> None:
     assert ratio.std() == pytest.approx(0.1, rel=0.05)
     with pytest.raises(ParameterError):
         maps.simulate_map(tmp_path / "d.zarr", (0, 5))
+
+
+def test_chunks_that_claim_more_than_their_files_hold_are_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made = small(tmp_path / "a.zarr")
+    made.write(0, 0, np.ones((6, 5, *made.sizes), np.float32))
+    file = made.path / "f_r" / "zarr.json"
+    about = json.loads(file.read_text())
+    about["shape"][:2] = about["chunk_grid"]["configuration"]["chunk_shape"][:2] = [2000, 2000]
+    file.write_text(json.dumps(about))
+    refused(made.path, "MiB and is read whole", "MOTES_LARGEST_MIB=")
+    monkeypatch.setenv("MOTES_LARGEST_MIB", "4000")
+    assert maps.open_stack(made.path).shape == (2000, 2000)
+    for name in ("wo", "f_r"):  # what no float holds, in a sentence, too
+        file = made.path / name / "zarr.json"
+        about = json.loads(file.read_text())
+        about["chunk_grid"]["configuration"]["chunk_shape"][0] = 10**400
+        file.write_text(json.dumps(about))
+        refused(made.path, "more than 1e+12 MiB", "It is damaged")
+
+
+def test_large_chunks_can_be_made_and_filled(tmp_path: Path) -> None:
+    """A new map has no files, of which its chunks could be 20 times as large."""
+    wi = np.tile([0.0, 0.0, 1.0], (700, 1))
+    made = maps.create_map(tmp_path / "a.zarr", (64, 64), wi, wi, hours=np.arange(2.0), chunk=64)
+    assert np.prod(made.array.chunks) * 4 > 64 * 2**20
+    refused(made.path, "MiB and is read whole")
+    made.write(0, 0, np.random.default_rng(1).random((64, 64, 2, 700, 3), np.float32))
+    assert maps.open_stack(made.path).texels(63, 63).shape == (2, 700, 3)
+
+
+@pytest.mark.parametrize("what", ["f_r/zarr.json", "zarr.json", "time/zarr.json"])
+def test_attributes_that_are_no_object_are_refused(tmp_path: Path, what: str) -> None:
+    file = small(tmp_path / "a.zarr").path / what
+    file.write_text(json.dumps({**json.loads(file.read_text()), "attributes": "x"}))
+    refused(tmp_path / "a.zarr", "Write the store again" if what != "zarr.json" else "a.zarr")
+
+
+def test_a_damaged_chunk_is_a_sentence(tmp_path: Path) -> None:
+    made = small(tmp_path / "a.zarr")
+    made.write(0, 0, np.ones((6, 5, *made.sizes), np.float32))
+    support.damage(made.path, "0/0/0/0/0")
+    with pytest.raises(FormatError, match="f_r cannot be read"):
+        maps.open_stack(made.path).texels(0, 0)

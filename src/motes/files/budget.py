@@ -12,6 +12,8 @@ from pathlib import Path
 from motes.errors import FormatError, MotesError
 
 FACTOR, LEAST = 20, 64 * 2**20
+# No machine has as many bytes.
+ABSURD = 2**60
 #: The environment variable by which more is asked for, in MiB.
 VARIABLE = "MOTES_LARGEST_MIB"
 
@@ -52,6 +54,18 @@ def check(path: Path, needed: int, what: str, size: int | None = None) -> None:
     length = path.stat().st_size if size is None else size
     if needed > allowed(length):
         raise FormatError(
-            f"{path} has {length:,} bytes, and {what} would take {needed / 2**20:,.0f} MiB of memory, more than {allowed(length) / 2**20:,.0f}",
-            f"Where the file is meant to be so, set {VARIABLE}={-(-needed // 2**20)} in the environment",
+            f"{path} has {length:,} bytes, and {what} would take {mebibytes(needed)} of memory, more than {allowed(length) / 2**20:,.0f}",
+            advice(needed),
         )
+
+
+def mebibytes(size: int) -> str:
+    """A size for a sentence; headers may claim what no float holds."""
+    return f"{size / 2**20:,.0f} MiB" if size < ABSURD else f"more than {ABSURD / 2**20:.0e} MiB"
+
+
+def advice(needed: int) -> str:
+    """How to ask for `needed` bytes, where anybody could have them."""
+    if needed >= ABSURD:
+        return "It is damaged; fetch or write it again"
+    return f"Where the file is meant to be so, set {VARIABLE}={-(-needed // 2**20)} in the environment"

@@ -15,19 +15,12 @@ from numpy.typing import NDArray
 
 from motes import outlets
 from motes.errors import DataError, FormatError, MotesError
+from motes.files import reading
 from motes.fitting.formatting import finite
 from motes.fitting.texels import TexelFit
 from motes.maps import zarrs
 from motes.maps.blocks import Blocks
-from motes.maps.layout import (
-    EXTRAS,
-    FLAGS,
-    VERDICT_FLAGS,
-    Variable,
-    labels,
-    stored_variables,
-    worst,
-)
+from motes.maps.layout import EXTRAS, FLAGS, VERDICT_FLAGS, Variable, labels, stored, stored_variables, worst
 from motes.maps.plan import Plan
 from motes.maps.stack import open_dataset
 from motes.material import Material
@@ -110,7 +103,12 @@ class FittedMap:
     def failures(self) -> tuple[tuple[tuple[int, int], str], ...]:
         """Blocks that failed in the last run, and why."""
         listed = self.group["run"].attrs.get("failures") or ()
-        return tuple(((int(y), int(x)), str(reason)) for y, x, reason in listed)
+        try:
+            return tuple(((int(y), int(x)), str(reason)) for y, x, reason in listed)
+        except (TypeError, ValueError, OverflowError) as error:
+            raise FormatError(
+                f"{self.path}: the record of failures is damaged: {error}", "Fit the map again with --restart"
+            ) from None
 
     @cached_property
     def brdf(self) -> BRDF:
@@ -133,16 +131,15 @@ class FittedMap:
     def counts(self) -> dict[str, int]:
         """How many fits ended how; block by block, so that no map needs to fit into memory."""
         totals = np.zeros(256, np.int64)
-        status = self.group["status"]
         for block in self.blocks:
-            totals += np.bincount(np.asarray(status[self.blocks.slices(block)]).ravel(), minlength=256)
+            totals += np.bincount(self.read_map("status", self.blocks.slices(block)).ravel(), minlength=256)
         return {name: int(totals[value]) for name, value in FLAGS.items()}
 
     def verdict_counts(self) -> dict[str, dict[str, int]]:
         """By map, how many of its values have which verdict; nothing where the store has none."""
         found: dict[str, dict[str, int]] = {}
         for name in self.variables:
-            if f"{name}_verdict" not in self.group:
+            if not self._has(f"{name}_verdict"):
                 continue
             totals = np.zeros(256, np.int64)
             for block in self.blocks:
@@ -177,7 +174,7 @@ class FittedMap:
             The part of the map.
         """
         if name in self.variables:
-            if f"{name}_verdict" not in self.group:
+            if not self._has(f"{name}_verdict"):
                 raise MotesError(f"{self.path} holds no verdicts: an earlier Motes wrote it", "Fit the map again")
             return np.asarray(self.read_map(f"{name}_verdict", where), np.uint8)
         parts = [self.verdicts(v.name, where) for v in self.variables.values() if v.quantity == name]
@@ -193,9 +190,9 @@ class FittedMap:
         MotesError
             When they were not kept.
         """
-        if "covariance" not in self.group:
+        if not self._has("covariance"):
             raise MotesError(f"{self.path} holds no covariances", "Fit the map with --covariance")
-        packed, size = self.read_map("covariance", where).astype(float), len(self.labels)
+        packed, size = reading.doubles(self.read_map("covariance", where)), len(self.labels)
         rows, columns = np.tril_indices(size)
         full = np.empty((*packed.shape[:-1], size, size))
         full[..., rows, columns] = full[..., columns, rows] = packed
@@ -203,12 +200,17 @@ class FittedMap:
 
     def read_map(self, name: str, where: tuple[slice, slice] = (slice(None), slice(None))) -> NDArray[Any]:
         """A map of the store, or the part of it `where`: one of `variables`, its ``_stderr``, ``relative_rms``, ``status``."""
-        if name not in self.group:
+        found = zarrs.member(self.group, name, self.path)
+        grid = self.shape if self.joint else (*self.shape, len(self.hours))
+        due = stored(name, self.variables, grid, len(self.channels))
+        if found is None or due is None:
             raise MotesError(f"{self.path} has no map {name!r}", f"It has {', '.join(self.variables)}")
-        try:
-            return np.asarray(self.group[name][where])
-        except Exception as error:
-            raise FormatError(f"{self.path}: {name} cannot be read: {str(error)[:200]}", "Fit the map again") from None
+        if (found.dtype, found.shape) != due:
+            raise FormatError(
+                f"{self.path}: {name} is {found.dtype} {found.shape}, not {due[0]} {due[1]}",
+                "Fit the map again with --restart",
+            )
+        return zarrs.read(found, self.path, where)
 
     def values(self, quantity: str, where: tuple[slice, slice] = (slice(None), slice(None))) -> Floats:
         """A parameter at every time, (y, x, T) or (y, x, T, C): from its map, or from its trend."""
@@ -216,12 +218,12 @@ class FittedMap:
         if not parts:
             raise MotesError(f"{self.path} has no parameter {quantity!r}", f"It has {', '.join(self.quantities)}")
         if not self.joint:
-            return self.read_map(parts[None].name, where).astype(float)
+            return reading.doubles(self.read_map(parts[None].name, where))
         colour = any(v.per_channel for v in parts.values())
         tail = (1,) if colour else ()
         coefficients: dict[str, Floats] = {}
         for label, v in parts.items():
-            c = self.read_map(v.name, where).astype(float)
+            c = reading.doubles(self.read_map(v.name, where))
             coefficients[str(label)] = c[:, :, None, :] if v.per_channel else c.reshape(*c.shape, 1, *tail)
         kind = self.kinds[quantity]
         basis = [b.reshape(-1, *tail) for b in KINDS[kind].basis(self.hours, *self._interval)]
@@ -243,7 +245,10 @@ class FittedMap:
             Where the texel was not fitted.
         """
         if not (0 <= y < self.shape[0] and 0 <= x < self.shape[1]):
-            raise DataError(f"texel ({y}, {x}) is outside the map of {self.shape[0]} x {self.shape[1]}")
+            raise DataError(
+                f"texel ({y}, {x}) is outside the map of {self.shape[0]} x {self.shape[1]}",
+                "Rows and columns count from 0",
+            )
         where = (slice(y, y + 1), slice(x, x + 1))
         first: dict[str, Any] = {}
         trends: dict[str, AnyTrend] = {}
@@ -290,7 +295,7 @@ class FittedMap:
             "blocks_done": int(done.sum()),
             "robust": settings.robust,
             "time": settings.time,
-            "covariance": "covariance" in self.group,
+            "covariance": self._has("covariance"),
             "fits": self.counts(),
             "verdicts": self.verdict_counts(),
             "failures": [{"block": list(block), "reason": reason} for block, reason in self.failures],
@@ -317,7 +322,7 @@ class FittedMap:
                 self.group[name][where] = part.reshape(*size, *part.shape[1:])
         for name in EXTRAS:
             self.group[name][where] = getattr(fit, name).reshape(size)
-        if "covariance" in self.group and fit.covariance is not None:
+        if self._has("covariance") and fit.covariance is not None:
             self.group["covariance"][where] = fit.covariance.reshape(*size, -1)
         self.group["run/done"][block] = 1
 
@@ -332,13 +337,16 @@ class FittedMap:
 
     # ------------------------------------------------------------ helpers
 
+    def _has(self, name: str) -> bool:
+        return zarrs.member(self.group, name, self.path) is not None
+
     @property
     def _interval(self) -> tuple[float, float]:
         return float(self.hours[0]), float(self.hours[-1])
 
     def _trend(self, quantity: str, where: tuple[slice, slice]) -> Trend:
         coefficients = {
-            str(v.coefficient): np.asarray(self.read_map(v.name, where)[0, 0], float)
+            str(v.coefficient): reading.doubles(self.read_map(v.name, where)[0, 0])
             for v in self.variables.values()
             if v.quantity == quantity
         }

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -102,6 +102,24 @@ def stored_variables(plan: Plan, channels: int) -> dict[str, Variable]:
         per_channel=plan.fitting.per_channel,
     )
     return {v.name: v for v in variables_of(solver.columns, hours is not None)}
+
+
+def stored(
+    name: str, variables: Mapping[str, Variable], grid: tuple[int, ...], channels: int
+) -> tuple[np.dtype[Any], tuple[int, ...]] | None:
+    """What a store has under a name, kind of numbers and shape; None for a name that it has not.
+
+    `grid` is (y, x), of fits of every time alone (y, x, T).
+    """
+    if name in EXTRAS:
+        return np.dtype(EXTRAS[name][0]), grid
+    if name == "covariance":
+        size = sum(len(v.columns) for v in variables.values())
+        return np.dtype("f4"), (*grid, size * (size + 1) // 2)
+    of = variables.get(name.removesuffix("_stderr").removesuffix("_verdict"))
+    if of is None:
+        return None
+    return np.dtype("u1" if name.endswith("_verdict") else "f4"), (*grid, *((channels,) if of.per_channel else ()))
 
 
 def variables_of(columns: Sequence[Any], joint: bool) -> list[Variable]:

@@ -115,8 +115,8 @@ class MapStack:
     @cached_property
     def truth(self) -> Mapping[str, Any]:
         """Arrays of the parameters that are true of a simulated map, by name; empty for others."""
-        group = zarrs.open_group(self.path)
-        return zarrs.arrays(group["truth"], self.path) if "truth" in group else {}
+        truth = zarrs.member(zarrs.open_group(self.path), "truth", self.path)
+        return {} if truth is None else zarrs.arrays(truth, self.path)
 
     def to_xarray(self) -> Any:
         """The store as an `xarray.Dataset`, its values read when they are used."""
@@ -153,7 +153,7 @@ class MapStack:
         return slice(None) if self.time is None else slice(self.time, self.time + 1)
 
     def _values(self, where: tuple[slice, slice]) -> Singles:
-        values = np.ascontiguousarray(zarrs.unpacked(self.array[(*where, self._times)], self.array.attrs, np.float32))
+        values = np.ascontiguousarray(zarrs.values(self.array, self.path, np.float32, (*where, self._times)))
         if values.min() >= 0 and values.max() < np.inf:  # NaN fails both; as good as always, and four times as quick
             return values
         return usable(values if values.flags.writeable else values.copy())
@@ -297,7 +297,8 @@ def open_stack(path: object, mode: str = "r") -> MapStack:
         )
     members = zarrs.arrays(group, folder)
     array = reflectance(members, folder)
-    zarrs.check_chunks(array, folder)
+    if mode == "r":  # what is opened to be filled has no files yet
+        zarrs.check_chunks(array, folder)
     wi, wo = (vectors(members, name, array.shape[3], folder) for name in ("wi", "wo"))
     hours = hours_of(members.get("time"), array.shape[2], folder)
     check(wi, wo, hours, array.shape[4], folder)

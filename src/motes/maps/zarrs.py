@@ -8,6 +8,7 @@ import os
 import shlex
 import warnings
 from collections.abc import Mapping
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes.errors import FormatError, MissingExtraError, MotesError
+from motes.files import budget
 from motes.material import CONVENTIONS as MATERIAL_CONVENTIONS
 
 NAME = "f_r"
@@ -38,6 +40,8 @@ CONVENTIONS = {
 # Bytes of one chunk, and of a small array that is read whole, beyond which a store is refused.
 LARGEST_CHUNK, LARGEST_TABLE = 4 * 2**30, 2**28
 LARGEST_ATTRIBUTES = 2**20
+# Files of an array of which the largest is taken for the size that its chunks have.
+MOST_LOOKED_AT = 1000
 MOST_BLOCKS = 10_000_000
 #: What to do when a disk refuses.
 PLACE = "Choose a place that is writable and has room, with -o"
@@ -85,12 +89,22 @@ def open_group(path: object, mode: str = "r") -> Any:
             f"{folder} is a Zarr store of version 2; maps are read from version 3", f"Convert it: {_conversion(folder)}"
         )
     try:
-        return library.open_group(str(folder), mode=mode, use_consolidated=False, zarr_format=3)
+        group = library.open_group(str(folder), mode=mode, use_consolidated=False, zarr_format=3)
     except Exception as error:  # the library raises what it likes
         raise FormatError(
             f"{folder} is not a Zarr group that can be opened: {_shortly(error)}",
             "A map is a Zarr v3 group with an array f_r (y, x, time, direction, channel)",
         ) from None
+    _check_attributes(group, folder)
+    return group
+
+
+def _check_attributes(node: Any, where: object) -> None:
+    """The library takes anything for the attributes of a group or an array."""
+    if not isinstance(node.metadata.attributes, Mapping):
+        raise FormatError(
+            f"{where}: the attributes of {node.basename or 'the store'} are no object", "Write the store again"
+        )
 
 
 def rewritten(folder: Path, change: str = "") -> str:
@@ -138,11 +152,14 @@ def _python(code: str) -> str:
 def arrays(group: Any, where: object) -> dict[str, Any]:
     """The arrays of a group by name; sub-groups are left out."""
     try:
-        return dict(group.arrays())
+        found = dict(group.arrays())
     except Exception as error:
         raise FormatError(
             f"{where} holds an array that cannot be opened: {_shortly(error)}", "Write it again"
         ) from None
+    for array in found.values():
+        _check_attributes(array, where)
+    return found
 
 
 def dimensions(array: Any) -> tuple[str, ...]:
@@ -154,16 +171,61 @@ def dimensions(array: Any) -> tuple[str, ...]:
 def numbers(array: Any, where: object) -> NDArray[np.float64]:
     """A small array whole, as float64."""
     if array.dtype.kind not in "fiu" or math.prod(array.shape) * array.dtype.itemsize > LARGEST_TABLE:
-        raise FormatError(f"{where}: {array.basename} ({array.dtype}, {array.shape}) is not a table of numbers")
+        raise FormatError(
+            f"{where}: {array.basename} ({array.dtype}, {array.shape}) is not a table of numbers",
+            f"It holds numbers, {LARGEST_TABLE // 2**20} MiB of them at most",
+        )
+    return values(array, where, np.float64)
+
+
+def member(group: Any, name: str, where: object) -> Any | None:
+    """What a group has under a name, None for nothing; a `FormatError` for what is there and cannot be opened."""
     try:
-        return unpacked(np.asarray(array[...]), array.attrs, np.float64)
-    except Exception as error:
-        raise FormatError(f"{where}: {array.basename} cannot be read: {_shortly(error)}", "Write it again") from None
+        found = group[name]
+    except KeyError:
+        return None
+    except Exception as error:  # the library raises what it likes on damaged metadata
+        raise FormatError(f"{where}: {name} cannot be opened: {_shortly(error)}", "Write the store again") from None
+    _check_attributes(found, where)
+    return found
+
+
+def read(array: Any, where: object, part: Any = ...) -> NDArray[Any]:
+    """A part of an array as it is stored, its chunks checked before they are decoded.
+
+    Raises
+    ------
+    FormatError
+        When a chunk would take too much memory, or is damaged.
+    """
+    check_chunks(array, where)
+    try:
+        return np.asarray(array[part])
+    except MemoryError:
+        raise
+    except Exception as error:  # of codecs: RuntimeError, ValueError and others
+        raise unreadable(array, where, error) from None
+
+
+def values(array: Any, where: object, kind: Any, part: Any = ...) -> NDArray[Any]:
+    """A part of an array as numbers of a kind, `unpacked`."""
+    raw = read(array, where, part)
+    try:
+        return unpacked(raw, array.attrs, kind)
+    except (TypeError, ValueError, OverflowError) as error:  # attributes that are no numbers
+        raise unreadable(array, where, error) from None
+
+
+def unreadable(array: Any, where: object, error: Exception) -> FormatError:
+    """The refusal of an array, in a sentence."""
+    return FormatError(f"{where}: {array.basename} cannot be read: {_shortly(error)}", "Write the store again")
 
 
 def unpacked(raw: NDArray[Any], attributes: Mapping[str, Any], kind: Any) -> NDArray[Any]:
     """Numbers as they are meant: the CF attributes ``_FillValue``, ``scale_factor`` and ``add_offset`` applied."""
-    values = raw.astype(kind, copy=False)
+    # A signalling NaN is one; what is too large becomes infinite, and is masked.
+    with np.errstate(invalid="ignore", over="ignore"):
+        values = raw.astype(kind, copy=False)
     fill, scale, offset = (attributes.get(name) for name in ("_FillValue", "scale_factor", "add_offset"))
     missing = None if not isinstance(fill, (int, float)) or np.isnan(fill) else raw == fill
     if scale is not None or offset is not None:
@@ -174,12 +236,17 @@ def unpacked(raw: NDArray[Any], attributes: Mapping[str, Any], kind: Any) -> NDA
 
 
 def check_chunks(array: Any, where: object) -> None:
-    """Refuse chunks that no memory holds and numbers of chunks that no list holds."""
+    """Refuse chunks that would take more memory than their files may (`motes.files.budget`): a chunk is decoded whole."""
     size = math.prod(array.chunks) * array.dtype.itemsize
-    if size > LARGEST_CHUNK:
+    if size <= budget.LEAST:
+        return
+    largest = 0
+    for file in islice((Path(str(where)) / array.path).rglob("*"), MOST_LOOKED_AT):
+        largest = max(largest, file.stat().st_size if file.is_file() else 0)
+    if size > LARGEST_CHUNK or size > budget.allowed(largest):
         raise FormatError(
-            f"{where}: one chunk {array.chunks} of {array.basename} is {size / 2**30:.1f} GiB, and a chunk is read whole",
-            "Write the store again with chunks of 64 x 64 texels",
+            f"{where}: one chunk of {array.basename} is {budget.mebibytes(size)} and is read whole, and its files have {largest:,} bytes at most",
+            f"Write the store again with chunks of 64 x 64 texels. {budget.advice(size)}",
         )
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes.errors import FormatError
-from motes.files import replacing
+from motes.files import reading, replacing
 from motes.meshes.mesh import Mesh
 
 TYPES = {
@@ -74,14 +74,14 @@ def read_ply(path: Path) -> Mesh:
     used = KNOWN | set(uv_names or ())
 
     def together(*columns: str) -> NDArray[np.float64]:
-        return np.stack([np.asarray(vertex[c], np.float64) for c in columns], axis=-1)
+        return np.stack([reading.doubles(np.asarray(vertex[c])) for c in columns], axis=-1)
 
     return Mesh(
         positions=together("x", "y", "z"),
         triangles=faces["triangles"],
         normals=together("nx", "ny", "nz") if {"nx", "ny", "nz"} <= names else None,
         uv=together(*uv_names) if uv_names else None,
-        attributes={name: np.asarray(vertex[name], np.float64) for name in vertex if name not in used},
+        attributes={name: reading.doubles(np.asarray(vertex[name])) for name in vertex if name not in used},
         name=path.stem,
         notes=_rounded(path, vertex),
     )
