@@ -68,6 +68,48 @@ def test_sentences(description: Description, message: str) -> None:
     assert caught.value.hint or "not one of" in str(caught.value)
 
 
+# What is refused at different places of a constructor, and one layer whose base is refused.
+REFUSED: list[Description] = [
+    {"type": "motes_dusty", "tau": -1.0},
+    {"type": "motes_dusty", "a": DIFFUSE, "b": DIFFUSE},
+    {"type": "motes_dusty", "base": {"type": "motes_oren_nayar", "sigma_d": 9.0}},
+    {"type": "motes_oren_nayar", "K_d": -1.0},
+    {"type": "motes_oren_nayar", "sigma": 0.5},
+    {"type": "motes_material", "filename": "/nowhere/paint.json"},
+]
+RENDER_AFTER = """
+import json, sys
+import numpy as np
+from motes.rendering import load_mitsuba, load_scene
+mi = load_mitsuba("llvm_ad_rgb")
+sensor = {"type": "perspective", "film": {"type": "hdrfilm", "width": 4, "height": 4}, "to_world": mi.ScalarTransform4f().translate([0, 0, -5])}
+ball = {"type": "sphere", "bsdf": {"type": "motes_oren_nayar", "K_d": 0.5}}
+good = {"type": "scene", "integrator": {"type": "path"}, "light": {"type": "constant"}, "ball": ball, "sensor": sensor}
+kept = []  # as an interactive interpreter keeps what was raised
+for bad in json.loads(sys.argv[1]):
+    for load in (load_scene, mi.load_dict):
+        try:
+            load({**good, "bad": {"type": "sphere", "bsdf": bad}})
+        except Exception as error:
+            kept.append(error)
+        print(float(np.array(mi.render(load_scene(good), spp=4)).mean()))
+print(len(kept))
+"""
+
+
+@needs_llvm
+def test_what_was_refused_breaks_no_later_render() -> None:
+    """Dr.Jit calls every BSDF object of the process that was once made, whole or not: nothing is made before all is read."""
+    run = subprocess.run(
+        [sys.executable, "-c", RENDER_AFTER, json.dumps(REFUSED)], capture_output=True, text=True, timeout=300
+    )
+    assert run.returncode == 0, run.stderr
+    *means, raised = run.stdout.split()
+    assert int(raised) == len(means) == 2 * len(REFUSED)
+    assert {float(mean) for mean in means} == {float(means[0])}
+    assert 0.3 < float(means[0]) < 1.0
+
+
 def bitmap(values: Any, **options: Any) -> Description:
     mi = load_mitsuba()
     return {"type": "bitmap", "data": mi.TensorXf(np.asarray(values, np.float32)), **options}

@@ -47,17 +47,19 @@ def layer_class(mi: Any) -> type:
         """T f_base + (1 - T) f_dust on the front side; light that crosses the layer once, into glass, keeps its share."""
 
         def __init__(self, properties: Any) -> None:
-            mi.BSDF.__init__(self, properties)
+            # Whatever can be refused comes first: once it is made, Dr.Jit calls this object in every render of the process.
             name, nested = properties.plugin_name(), nested_bsdfs(mi, properties)
             if len(nested) != 1:
                 raise ParameterError(f"{name} has {len(nested)} nested BSDFs", "It lies over one, or over none")
-            self.base = nested[0]
-            if self.base.flags() & flags.Null:
+            base = nested[0]
+            if base.flags() & flags.Null:
                 raise ParameterError(
                     f"{name}: the nested BSDF lets light through unbent", "Put motes_dusty inside the mask"
                 )
-            self.values = Values(mi, name, DustLayer(_Nested()))
-            self.values.read_parameters(properties)
+            values = Values(mi, name, DustLayer(_Nested()))
+            values.read_parameters(properties)
+            mi.BSDF.__init__(self, properties)
+            self.base, self.values = base, values
             count = self.base.component_count()
             self.dust_flag = flags.DiffuseReflection | flags.FrontSide | flags.SpatiallyVarying
             self.m_components = [*(self.base.flags(k) for k in range(count)), self.dust_flag]

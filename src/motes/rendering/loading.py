@@ -175,10 +175,17 @@ def _recording(constructor: Any) -> Any:
         try:
             return constructor(properties)
         except MotesError as error:
-            _raised.append(error)
+            _raised[:] = [_without_frames(error)]
             raise
 
     return construct
+
+
+def _without_frames(error: MotesError) -> MotesError:
+    """The same error without its traceback, whose frames would keep what is half made alive."""
+    kept = type(error).__new__(type(error), *error.args)
+    kept.__dict__.update(error.__dict__)
+    return kept
 
 
 def _last_sentence(text: str) -> str:

@@ -25,9 +25,11 @@ def surface_class(mi: Any) -> type:
         def __init__(
             self, properties: Any, template: BRDF, wavelengths: tuple[float, ...] = (), others: tuple[str, ...] = ()
         ) -> None:
+            # Whatever can be refused comes first: once it is made, Dr.Jit calls this object in every render of the process.
+            values = Values(mi, properties.plugin_name(), template, wavelengths)
+            values.read_parameters(properties, others)
             mi.BSDF.__init__(self, properties)
-            self.values = Values(mi, properties.plugin_name(), template, wavelengths)
-            self.values.read_parameters(properties, others)
+            self.values = values
             parts = template.components(np, 1.0)
             flags = mi.BSDFFlags
             front = flags.FrontSide | flags.SpatiallyVarying
@@ -91,17 +93,18 @@ def material_class(mi: Any, surface: type) -> type:
 
         def __init__(self, properties: Any) -> None:
             owner = properties.plugin_name()
-            self.file = _resolved(mi, properties, owner)
-            self.material = load(self.file)
+            file = _resolved(mi, properties, owner)
+            material = load(file)
             hours = properties.get("time", 0.0)
             if isinstance(hours, bool) or not isinstance(hours, (int, float)):
                 raise ParameterError(f"{owner}: time = {str(hours)[:80]!r} is not a number of hours", "Give a number")
-            brdf = self.material.at(hours)
+            brdf = material.at(hours)
             if not brdf.reciprocal:
                 raise ParameterError(
-                    f"{self.file} is not reciprocal, so it is no BRDF: {describe(brdf)}", "Save dust with form='brdf'"
+                    f"{file} is not reciprocal, so it is no BRDF: {describe(brdf)}", "Save dust with form='brdf'"
                 )
-            super().__init__(properties, brdf, self.material.wavelengths, ("filename", "time"))
+            super().__init__(properties, brdf, material.wavelengths, ("filename", "time"))
+            self.file, self.material = file, material
             # A constant texture, so that mitsuba.traverse can change it in every variant.
             self.time = mi.load_dict({"type": "uniform", "value": hours})
 
