@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +12,7 @@ import pytest
 import measurement_files as files
 from effort import units
 from motes.errors import DataError, FormatError, MotesError
-from motes.measurements import _timestamps, list_samples, policy, read
+from motes.measurements import _common_directions, _timestamps, list_samples, policy, read
 from motes.measurements.tvbrdf_writing import write_tvbrdf
 
 # The first record that the database documents, of sample01/tvBrdf-data/scan01_brdf_camera1_allexposures.txt
@@ -254,13 +255,42 @@ def test_time_stamps_that_cannot_be_read(text: str):
     assert _timestamps.hours(text, 3) is None
 
 
-@pytest.mark.parametrize("unit", [" ", "1 ", "scan ", ":", "a:1:", "1:11", "time=", "Mar "])
+@pytest.mark.parametrize("unit", [" ", "1 ", "scan ", ":", "a:1:", "1:11", "time=", "Mar ", "mar", "time:\n", "time:"])
 def test_time_stamps_do_not_hang(unit: str):
     text = unit * (500_000 // len(unit))
     answers: list[object] = []
     # 15 here; a pattern that backtracks would take hours
     assert units(lambda: answers.append(_timestamps.hours(text, 3))) < 1000
     assert answers == [None]
+
+
+@pytest.mark.parametrize("order", ["forwards", "backwards"])
+def test_repeated_directions_out_of_place_take_linear_time(order: str):
+    """Steps of the interpreter, counted: four times the rows take four times the steps, and each sample has a place of its own."""
+
+    def steps(n: int) -> int:
+        up, side = np.tile([0.0, 0.0, 1.0], (n, 1)), np.tile([0.6, 0.0, 0.8], (n, 1))
+        scans = [np.concatenate([up, side]), np.concatenate([side, up, up])]
+        taken = 0
+
+        def count(*_: object) -> object:
+            nonlocal taken
+            taken += 1
+            return count
+
+        before = sys.gettrace()
+        sys.settrace(count)
+        try:
+            union, (first, second) = _common_directions.union(scans if order == "forwards" else scans[::-1])
+        finally:
+            sys.settrace(before)
+        assert len(union) == 3 * n
+        for scan, index in zip(scans if order == "forwards" else scans[::-1], (first, second), strict=True):
+            assert len(set(index.tolist())) == len(scan)
+            np.testing.assert_array_equal(union[index], scan)
+        return taken
+
+    assert steps(400) < 5 * steps(100)
 
 
 def test_times_fall_back_to_the_scans_and_can_be_given(tmp_path: Path):

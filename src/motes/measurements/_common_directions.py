@@ -47,13 +47,17 @@ def union(scans: Sequence[NDArray[np.float64]]) -> tuple[NDArray[np.float64], li
                 for i, key in enumerate(_keys(first)):
                     where[key].append(i)
             taken = set(index[index >= 0].tolist())
+            looked_at: dict[bytes, int] = defaultdict(int)  # how many of the places of a direction are known to be taken
             new: list[int] = []
             for i, key in zip(missing.tolist(), _keys(scan[missing]), strict=True):
-                free = next((j for j in where[key] if j not in taken), None)
-                if free is None:
-                    free = n_rows + len(new)
+                places, k = where[key], looked_at[key]
+                while k < len(places) and places[k] in taken:
+                    k += 1
+                looked_at[key] = k + 1
+                if k == len(places):
+                    places.append(n_rows + len(new))
                     new.append(i)
-                    where[key].append(free)
+                free = places[k]
                 index[i] = free
                 taken.add(free)
             parts.append(scan[new])

@@ -15,7 +15,7 @@ _YEAR_FIRST = re.compile(rf"(?<!\d)(\d{{4}})[-/.](\d{{1,2}})[-/.](\d{{1,2}})[ T,
 _YEAR_LAST = re.compile(rf"(?<!\d)(\d{{1,2}})[-/.](\d{{1,2}})[-/.](\d{{4}})[ T,_]+{_CLOCK}")
 _MONTHS = ("jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", "nov", "dec")
 _ASCTIME = re.compile(
-    rf"({'|'.join(_MONTHS)})[a-z]*\.? +(\d{{1,2}}),? +{_CLOCK}(?: +[A-Z]{{2,5}})? +(\d{{4}})", re.IGNORECASE
+    rf"({'|'.join(_MONTHS)})[a-z]{{0,6}}\.? +(\d{{1,2}}),? +{_CLOCK}(?: +[A-Z]{{2,5}})? +(\d{{4}})", re.IGNORECASE
 )
 _BARE_CLOCK = re.compile(rf"(?<![\d:.]){_CLOCK}(?![\d:])")
 _NUMBER = r"([-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d{1,3})?|[-+]?\.\d+)"
@@ -102,8 +102,8 @@ def _after_heading(lines: list[str]) -> list[float]:
         unit = _HEADING_UNIT.search(label)
         factor = _HOURS[unit[1][0].lower()] if unit else _HOURS["s"]
         found = [float(x) for x in re.findall(rf"(?<![\w.]){_NUMBER}(?![\w.])", rest)]
-        for below in lines[i + 1 :]:
-            match = _BARE_LINE.match(below)
+        for k in range(i + 1, len(lines)):
+            match = _BARE_LINE.match(lines[k])
             if match is None:
                 break
             found.append(float(match[1]))
