@@ -319,6 +319,19 @@ def test_exactly_0_at_and_below_the_horizon(entry: Entry) -> None:
 
 
 @every_entry
+def test_no_number_of_directions_makes_other_lengths_pass(entry: Entry, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What is far from a unit vector is refused, by the equations and by the engine alike; printed digits are not."""
+    up = direction(0.4)
+    for threshold in (1, 10**18):
+        monkeypatch.setattr(engine, "THRESHOLD", threshold)
+        for length in (1e200, -1e200, 1e160, 5.0):
+            for wi, wo in ((up * length, up), (up, up * length), (np.stack([up, np.full(3, np.nan), up * length]), up)):
+                with pytest.raises(DataError, match=r"component of .* unit vectors"):
+                    entry.model.eval(wi, wo)
+    assert np.isfinite(entry.model.eval(up * 1.0009, up)).all()
+
+
+@every_entry
 def test_nan_stays_nan(entry: Entry) -> None:
     up, nan = direction(0.4), np.full(3, np.nan)
     for wi, wo in ((nan, up), (up, nan), (nan, nan)):

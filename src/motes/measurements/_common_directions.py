@@ -47,7 +47,9 @@ def union(scans: Sequence[NDArray[np.float64]]) -> tuple[NDArray[np.float64], li
                 for i, key in enumerate(_keys(first)):
                     where[key].append(i)
             taken = set(index[index >= 0].tolist())
-            looked_at: dict[bytes, int] = defaultdict(int)  # how many of the places of a direction are known to be taken
+            looked_at: dict[bytes, int] = defaultdict(
+                int
+            )  # how many of the places of a direction are known to be taken
             new: list[int] = []
             for i, key in zip(missing.tolist(), _keys(scan[missing]), strict=True):
                 places, k = where[key], looked_at[key]

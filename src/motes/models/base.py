@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import ClassVar, NamedTuple, Self, final
+from typing import Any, ClassVar, NamedTuple, Self, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,9 @@ from motes.models.lifting import averaged, broadcast, leading, lifted, matching
 from motes.models.lobes import Reflection
 from motes.models.standard import StandardLobe
 from motes.parameters import Place, part
+
+# Of a component of a direction; a unit vector has 1, and printed digits little more.
+LONGEST = 1.01
 
 
 class Sampled(NamedTuple):
@@ -108,6 +111,11 @@ class BRDF(Reflecting, ABC):
         -------
         array (..., C)
             Exactly 0 where a direction is at or below the horizon; NaN where a direction is NaN.
+
+        Raises
+        ------
+        DataError
+            When a component of a direction in a NumPy array is beyond 1.01: no unit vector has it.
 
         Examples
         --------
@@ -257,6 +265,8 @@ class BRDF(Reflecting, ABC):
                         x = x.astype(np.float64)
                 except (TypeError, ValueError):
                     raise DataError(f"{what} are not numbers: {str(x)[:80]}", f"Pass arrays (..., {n})") from None
+                if what == "directions":
+                    _check_lengths(x)
                 if foreign is not None:
                     x = matching(x, foreign)
             if len(x.shape) == 0 or x.shape[-1] != n:
@@ -283,6 +293,20 @@ class BRDF(Reflecting, ABC):
             total = total + component.importance
         chances = [(component.importance + 1e-30 / len(components)) / total for component in components]
         return components, chances
+
+
+def _check_lengths(w: NDArray[Any]) -> None:
+    """Refuse what is far too long for a unit vector, and would overflow in one way here and in another in the engine; NaN may pass."""
+    if w.size == 0:
+        return
+    largest = max(w.max(), -w.min())
+    if np.isnan(largest):
+        largest = np.abs(w[~np.isnan(w)]).max(initial=0.0)
+    if largest > LONGEST:
+        raise DataError(
+            f"a direction has a component of {largest:.4g}: directions are unit vectors",
+            "Divide each by its length: w / np.linalg.norm(w, axis=-1, keepdims=True)",
+        )
 
 
 @final
