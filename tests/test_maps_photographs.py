@@ -100,6 +100,8 @@ def test_times_viewers_and_gaps(tmp_path: Path) -> None:
         ("file,wi_x,wi_y,wi_z\nlight00.exr,0,0,0\n", r"\(0, 0, 0\)"),
         ("file,time\nlight00.exr,0\n", "direction to the light is not known"),
         ("file,theta_i,phi_i,exposure\nlight00.exr,0,0,0\n", "Both are above 0"),
+        ("file,theta_i,phi_i,exposure\nlight00.exr,0,0,1e300\n", r"from 1e-12 to 1e\+12"),
+        ("file,theta_i,phi_i,irradiance\nlight00.exr,0,0,1e-300\n", r"from 1e-12 to 1e\+12"),
         (
             "file,theta_i,phi_i,expossure\nlight00.exr,0,0,2\n",
             "'expossure', which is not known; the nearest are exposure",

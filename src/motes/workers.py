@@ -9,6 +9,7 @@ import os
 import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from typing import TypeVar
 
 T = TypeVar("T")
@@ -45,7 +46,11 @@ def spread(tasks: int, work: Callable[[int, T], None], room: Callable[[], T]) ->
     others = []
     if tasks > 1 and threads() > 1:
         pool = _helpers()
-        others = [pool.submit(drain) for _ in range(min(threads(), tasks) - 1)]
+        with suppress(
+            RuntimeError
+        ):  # no more threads can be had (ulimit -v, ulimit -u): those that there are do the work
+            for _ in range(min(threads(), tasks) - 1):
+                others.append(pool.submit(drain))
     try:
         drain()
     finally:  # interrupted: the others stop after their task, and nobody frees memory that they use

@@ -69,8 +69,10 @@ def print_table(table: Table) -> None:
 
 
 def print_json(data: Mapping[str, Any]) -> None:
-    """One JSON object to standard output."""
-    print(json.dumps(data, indent=1, allow_nan=False))
+    """One JSON object to standard output; what is no finite number is null, for JSON has no other."""
+    from motes.fitting.formatting import finite
+
+    print(json.dumps(finite(data), indent=1, allow_nan=False))
 
 
 def warn(message: str) -> None:

@@ -131,6 +131,8 @@ def _explain(error: Exception) -> int:
         hint = "Check the path, its permissions and the room on the disk"
     elif isinstance(error, MemoryError):
         message, hint = "the memory does not suffice", "Take less data, or close other programs"
+    elif isinstance(error, RuntimeError) and "can't start new thread" in str(error):
+        message, hint = "no thread can be started: memory or processes are limited", "Raise ulimit -v or ulimit -u"
     else:
         status = DEFECT
         message = f"motes failed in a way it should not: {type(error).__name__}: {error}"

@@ -45,6 +45,9 @@ class Reading:
         """The keyword arguments of `motes.read`."""
         columns = [text.removeprefix("column:") for text in self.read if text.startswith("column:")]
         others = assignments([text for text in self.read if not text.startswith("column:")], "--read")
+        for name, other in (("path", "the path stands before the options"), ("columns", "--read column:NAME=ROLE")):
+            if name in others:
+                raise MotesError(f"--read {name} is no option of a reader", f"Leave it out: {other}")
         for name, value in others.items():  # names, though they may look like numbers
             others[name] = str(value) if name in ("format", "sheet", "angles", "azimuth", "wavelength_unit") else value
         return {"sample": self.sample, **others, **({"columns": column_roles(columns)} if columns else {})}

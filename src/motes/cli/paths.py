@@ -30,6 +30,8 @@ def existing(path: str) -> Path:
             return given
     except (OSError, ValueError) as error:  # a name too long, a null byte
         raise MotesError(f"{path[:200]!r} is not a path: {error}", "Give the path of a file or folder") from None
+    if given.is_symlink():
+        raise MotesError(f"{path} is a link to what does not exist, or to itself", "Look at it with ls -l")
     parent = given.parent
     while not parent.is_dir():
         given, parent = parent, parent.parent

@@ -186,12 +186,14 @@ def _fitted(path: Path, model: str, reading: Reading, common: Common) -> Materia
     from dataclasses import replace
 
     from motes.cli import console
+    from motes.errors import DataError
     from motes.fitting import fit
     from motes.measurements import Measurement, read
     from motes.models import describe
 
     data = read(path, **reading.options())
-    assert isinstance(data, Measurement)  # maps are no RGL or MERL file, which the stage will say
+    if not isinstance(data, Measurement):
+        raise DataError(f"{path} holds maps of parameters, not a measured material", "Give an RGL or MERL file")
     with console.progress(common, f"fitting {path.name}") as step:
         found = fit(data, model=model, progress=step)
     material = found.material

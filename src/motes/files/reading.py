@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import csv
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -50,6 +51,17 @@ def numbers(tokens: Sequence[str], where: str) -> NDArray[np.float64]:
     raise FormatError(f"{where}: not numbers", "Check the file")
 
 
+def delimited(lines: Iterable[str], separator: str, where: str, blanks: bool = False) -> Iterator[list[str]]:
+    """The cells of lines of a table, without blanks around them; quotes may hold separators, and where `blanks`, stand behind some."""
+    try:
+        for row in csv.reader(lines, delimiter=separator, skipinitialspace=blanks):
+            yield [cell.strip() for cell in row]
+    except csv.Error as error:  # a cell of more than 131,072 characters
+        raise FormatError(
+            f"{where}: {error}", "A quote that is never closed makes such cells; check the file"
+        ) from None
+
+
 def integer(token: str) -> int | None:
     """A token as a non-negative integer of sane length, or None."""
     return int(token) if token.isascii() and token.isdigit() and len(token) < 10 else None
@@ -63,7 +75,10 @@ def binary(path: Path, dtype: str, count: int, offset: int, what: str) -> NDArra
             f"{path} is truncated: {what} ends at byte {needed:,} and the file at {size:,}",
             "Fetch or copy the file again",
         )
-    return np.fromfile(path, dtype, count, offset=offset)
+    found = np.fromfile(path, dtype, count, offset=offset)
+    if found.size < count:
+        raise FormatError(f"{path} became shorter while it was read", "Wait until it is written, then read it again")
+    return found
 
 
 def doubles(array: NDArray[Any]) -> NDArray[np.float64]:

@@ -76,8 +76,14 @@ def _beyond(fit: Fit | TimeFit) -> list[str]:
             t, c = (int(k) for k in np.unravel_index(np.nanargmax(excess), value.shape))
             channels = fit.material.channels
             label = f"{name}[{channels[c]}]" if value.shape[1] == len(channels) > 1 else name
+            also = [slot.name for slot in fit.brdf.slots(Role.DIFFUSE_ROUGHNESS)] if role is Role.DIFFUSE_COLOUR else []
+            biased = (
+                f" A wrong scale makes {also[0]} wrong, too: light between facets goes with the square of {name}."
+                if also
+                else ""
+            )
             found.append(
-                f"{label} = {value[t, c]:.3g} is above 1: {what}. Look at the scale and the units of the data, or at another model."
+                f"{label} = {value[t, c]:.3g} is above 1: {what}. Look at the scale and the units of the data, or at another model.{biased}"
             )
     return found
 

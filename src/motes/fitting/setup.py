@@ -14,6 +14,7 @@ from motes.fitting.losses import LOSSES, ROBUST, Floats, Loss
 from motes.fitting.problem import Problem
 from motes.fitting.quantities import Quantity, layout
 from motes.measurements import Measurement
+from motes.measurements.policy import LARGEST
 from motes.models import BRDF, describe, parse
 
 
@@ -116,6 +117,11 @@ def prepare(data: Measurement, model: str | BRDF, wishes: Wishes, lenient: bool 
 
 
 def _held_value(value: Any, per_channel: bool, channels: int) -> Any:
+    if not (np.abs(value) <= LARGEST).all():
+        raise DataError(
+            f"a parameter is held at {np.abs(value).max():g}, outside [-{LARGEST:g}, {LARGEST:g}]",
+            "Hold it at a value that a surface has",
+        )
     if np.ndim(value) == 0:
         return value
     if per_channel and np.shape(value) in ((channels,), (1,)):

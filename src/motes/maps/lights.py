@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import difflib
 import os
 from pathlib import Path
@@ -31,6 +30,7 @@ WAYS: dict[str, tuple[tuple[str, ...], ...]] = {
 } | {"the time": tuple((name,) for name in TIMES)}
 OTHERS = ("file", "exposure", "irradiance")
 LEFT_OUT = "note"
+LARGEST_GAIN = 1e12  # of an exposure or irradiance: beyond it pixels in float32 lose their values
 
 
 class Row(NamedTuple):
@@ -64,7 +64,7 @@ def rows_of(path: Path, folder: Path) -> list[Row]:
     text = "\n".join(line.partition("#")[0] for line in reading.text(path).splitlines())
     lines = [line for line in text.splitlines() if line.strip()]
     separator = max(",;\t", key=(lines or [""])[0].count)
-    cells = [[c.strip() for c in row] for row in csv.reader(lines, delimiter=separator)]
+    cells = list(reading.delimited(lines, separator, str(path)))
     if len(cells) < 2:
         raise FormatError(f"{path} has no rows", "It needs a header and a row a picture")
     header = [name.lower() for name in cells[0]]
@@ -129,8 +129,11 @@ def _row(entry: dict[str, str], where: str, folder: Path) -> Row:
     for name in [n for n in TIMES if n in entry]:
         hours = number(name) * TIMES[name]
     gains = [number(name, 1.0) for name in ("exposure", "irradiance")]
-    if min(gains) <= 0:
-        raise DataError(f"{where}: exposure {gains[0]:g}, irradiance {gains[1]:g}", "Both are above 0")
+    if min(gains) < 1 / LARGEST_GAIN or max(gains) > LARGEST_GAIN:
+        raise DataError(
+            f"{where}: exposure {gains[0]:g}, irradiance {gains[1]:g}",
+            f"Both are above 0, from {1 / LARGEST_GAIN:g} to {LARGEST_GAIN:g}",
+        )
     if not directions.above(wi, wo):
         raise DataError(
             f"{where}: the {'light' if not directions.above(wi) else 'viewer'} is at or below the horizon",

@@ -7,7 +7,6 @@ written down in ``docs/data.md``.
 from __future__ import annotations
 
 import codecs
-import csv
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
@@ -234,7 +233,7 @@ def _cells(line: str, separator: str, of_header: bool = False) -> list[str]:
         return joined
     if '"' not in line:
         return [c.strip() for c in line.split(separator)]
-    return [c.strip() for c in next(csv.reader([line], delimiter=separator, skipinitialspace=True), [])]
+    return next(reading.delimited([line], separator, f"the line that begins with {line[:40]!r}", blanks=True), [])
 
 
 def _split(lines: Sequence[str], start: int, separator: str) -> Iterator[tuple[int, list[str]]]:

@@ -9,7 +9,8 @@ counted under the first rule that it breaks, so the counts add up to the number 
 2. *A direction at or below the horizon* is masked: ``wi`` or ``wo`` has a cosine of at most `directions.HORIZON`, where
    a BRDF is not defined.  Cost: none; 89.99994 degrees is the last angle kept.
 3. *NaN and infinite* values are masked.  Cost: none if they are missing at random; a bias if they stand for values that
-   were too bright or too dark to be read.
+   were too bright or too dark to be read.  So are values beyond 1e9, which nothing reflects: a fit that starts among those
+   of surfaces does not see what its parameters do to such data.
 4. *Negative values are data* where noise explains them: a dark surface measured with noise reads below 0 as often as
    noise takes it there, and to leave those samples out would leave the upward noise only (a channel of K_d = 0.005
    under noise of 0.003/sr comes out as 0.009).  The same holds for colours outside the gamut of R, G and B (RGL, MBSDF):
@@ -43,6 +44,7 @@ from motes.errors import DataError
 
 BELOW_HORIZON = "direction at or below the horizon"
 NOT_FINITE = "not a finite number"
+ABSURD = "beyond 1e9, which nothing reflects"
 MARKER = "negative (a marker: the same number again and again, apart from the others)"
 NEGATIVE = "negative beyond what noise explains"
 EXCLUDED = "excluded by the caller"
@@ -51,6 +53,7 @@ NOT_MEASURED = "not measured in this scan"
 
 STEEPEST = 0.05  # a cosine, or product of two, that a reading is divided by; smaller ones explain no more noise
 NOISE_WIDTHS = 5.0  # standard deviations of noise that a value may lie below 0; beyond them is 1 sample in 3,500,000
+LARGEST = 1e9  # [1/sr]; the highlight of a facet roughness of 0.0001 has 1e8, counts of a camera have 1e5
 FEWEST = 10  # samples that tell their scatter, or that are not all negative by chance
 
 NORM_TOLERANCE = (
@@ -113,6 +116,7 @@ def judge(
     exclude(BELOW_HORIZON, ~directions.above(wi, wo)[None, :, None])
     exclude(NOT_FINITE, ~np.isfinite(values))
     with np.errstate(invalid="ignore"):
+        exclude(ABSURD, np.abs(values) > LARGEST)
         negative = values < 0
     if negative.any():
         marker, beyond = impossible(wi, wo, np.where(codes == 0, values, np.nan), uncertainties, channels)

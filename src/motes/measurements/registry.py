@@ -257,7 +257,7 @@ def list_samples(path: str | os.PathLike[str], *, format: str | None = None) -> 
 
 
 def _find(path: str | os.PathLike[str], format: str | None) -> tuple[Path, Reader]:
-    path = Path(path).expanduser()
+    path = _expanded(Path(path))
     if format is None:
         return path, _guarded(path, lambda: _detect(path))
     reader = READERS.get(format) or readers().get(format)
@@ -268,6 +268,16 @@ def _find(path: str | os.PathLike[str], format: str | None) -> tuple[Path, Reade
         )
     _guarded(path, lambda: _exists(path))
     return path, reader
+
+
+def _expanded(path: Path) -> Path:
+    """A path with ``~`` as the user's home, unless something has that very name."""
+    if os.path.lexists(path):
+        return path
+    try:
+        return path.expanduser()
+    except RuntimeError:  # nobody of that name, or no home
+        return path
 
 
 def _exists(path: Path) -> bool:

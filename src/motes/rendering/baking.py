@@ -14,6 +14,7 @@ from motes.errors import MotesError
 from motes.files import replacing
 from motes.meshes.mesh import Mesh
 from motes.rendering.deposition import Deposit, Points, deposit
+from motes.rendering.loading import native
 from motes.rendering.rays import Surroundings
 
 LARGEST = 8192
@@ -117,5 +118,5 @@ def write_texture(path: str | os.PathLike[str], picture: NDArray[np.float32]) ->
     with replacing(target) as temporary:
         # Mitsuba goes by the suffix, which the temporary file does not have.
         kind = mi.Bitmap.FileFormat.OpenEXR if target.suffix.lower() == ".exr" else mi.Bitmap.FileFormat.PFM
-        mi.Bitmap(np.ascontiguousarray(picture, np.float32)).write(str(temporary), kind)
+        mi.Bitmap(np.ascontiguousarray(picture, np.float32)).write(native(temporary), kind)
     return target

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from motes.errors import MissingExtraError, MotesError
 from motes.files import replacing
+from motes.rendering.loading import native
 from motes.rendering.panels import pillow
 
 Bytes = NDArray[np.uint8]
@@ -85,7 +86,7 @@ def _readable(mi: Any, path: Path) -> bool:
     if not path.is_file():
         return False
     try:
-        mi.Bitmap(str(path))
+        mi.Bitmap(native(path))
     except Exception:  # whatever is wrong with it, it is drawn again
         return False
     return True
@@ -95,7 +96,7 @@ def read_radiance(path: Path) -> NDArray[np.float32]:
     """A frame (H, W, 3)."""
     from motes.rendering import load_mitsuba
 
-    return np.array(load_mitsuba().Bitmap(str(path)), np.float32)
+    return np.array(load_mitsuba().Bitmap(native(path)), np.float32)
 
 
 def write_radiance(path: str | os.PathLike[str], radiance: Floats, half: bool = False) -> Path:
@@ -108,7 +109,7 @@ def write_radiance(path: str | os.PathLike[str], radiance: Floats, half: bool = 
         bitmap = bitmap.convert(mi.Bitmap.PixelFormat.RGB, mi.Struct.Type.Float16, False)
     with replacing(path) as temporary:
         try:
-            bitmap.write(str(temporary), mi.Bitmap.FileFormat.OpenEXR)
+            bitmap.write(native(temporary), mi.Bitmap.FileFormat.OpenEXR)
         except RuntimeError as error:  # what Mitsuba makes of a full disk
             raise OSError(0, str(error).splitlines()[-1][:160]) from None
         if not temporary.stat().st_size:

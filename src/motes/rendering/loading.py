@@ -121,11 +121,28 @@ def load_scene(description: Mapping[str, Any] | str | os.PathLike[str]) -> Any:
         if isinstance(description, Mapping):
             return mi.load_dict(dict(description))
         text = os.fspath(description)
-        return mi.load_string(text) if text.lstrip().startswith("<") else mi.load_file(str(Path(text)))
+        return mi.load_string(text) if text.lstrip().startswith("<") else mi.load_file(native(Path(text)))
     except (RuntimeError, TypeError, ValueError, OSError) as error:
         if _raised:
             raise _raised.pop() from error
         raise MotesError(f"Mitsuba cannot load this: {_last_sentence(str(error))}") from error
+
+
+def native(path: str | os.PathLike[str]) -> str:
+    """A path as Mitsuba takes it.
+
+    Raises
+    ------
+    MotesError
+        When it is not UTF-8, as names of other times may be.
+    """
+    text = os.fspath(path)
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        shown = os.fsencode(text).decode(errors="backslashreplace")
+        raise MotesError(f"the path {shown} is not UTF-8, and Mitsuba takes no other", "Rename it") from None
+    return text
 
 
 def slow_note() -> str | None:

@@ -15,6 +15,7 @@ from motes import directions
 from motes.errors import DataError, MotesError
 from motes.files import reading
 from motes.measurements import merl, rgl
+from motes.rendering.loading import native
 
 Floats = NDArray[np.float64]
 
@@ -40,7 +41,7 @@ def measured_bsdf(path: str | os.PathLike[str]) -> Any:
         rgl.read_rgl(file, resolution=4)  # checks what Mitsuba's reader trusts
         if not file.stem.endswith("rgb") and not mi.is_spectral:
             raise MotesError(f"{file.name} is spectral", "Use the file of the same material that ends in _rgb.bsdf")
-        return load_scene({"type": "measured", "filename": str(file.resolve())})
+        return load_scene({"type": "measured", "filename": native(file.resolve())})
     if merl.sniff(file, head):
         return _merl_class(mi.variant())(table(file))
     raise DataError(
@@ -58,9 +59,7 @@ def table(path: Path) -> NDArray[np.float32]:
     shape = merl.FULL if not any("bins instead of" in n for n in measurement.provenance["notes"]) else None
     if shape is None:
         raise DataError(f"{path} does not have {merl.FULL} bins", "Render a full MERL table")
-    with path.open("rb") as file:
-        file.seek(12)
-        planes = np.fromfile(file, "<f8").reshape(3, *shape)
+    planes = reading.binary(path, "<f8", 3 * reading.product(shape), 12, "the table").reshape(3, *shape)
     values = np.moveaxis(planes, 0, -1) * merl.SCALE
     invalid = ~(np.isfinite(values).all(-1) & (values.min(-1) >= 0))
     values = _filled(values, invalid)

@@ -18,6 +18,7 @@ from motes.files import replacing
 from motes.material import Material
 from motes.rendering import films, panels, tonemap
 from motes.rendering.arrangement import each_titled, layout, mosaic, words
+from motes.rendering.loading import native
 from motes.rendering.passes import FILM, Look
 from motes.rendering.rays import Progress
 from motes.rendering.stage import SMALL, measured_stage, stage
@@ -215,6 +216,7 @@ def default_look(*, several: bool = False, film: bool = False, **given: Any) -> 
 
 def _writable(target: Path) -> None:
     """Raise before the work where the result cannot be written."""
+    native(target)  # its frames lie beside it
     if target.is_dir():
         raise MotesError(f"{target} is a folder", f"Name a file, such as -o {target / 'picture.png'}")
     with replacing(target.with_name(f".{target.name}.try")) as temporary:

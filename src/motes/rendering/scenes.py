@@ -20,6 +20,7 @@ from motes.errors import FormatError, MotesError
 from motes.meshes.mesh import Mesh, with_normals
 from motes.meshes.meshfile import SUFFIXES, read_mesh
 from motes.meshes.shapes import SHAPES
+from motes.rendering.loading import native
 from motes.rendering.rays import mitsuba_mesh
 
 NAMES = ("sphere", "bunny", "teapot", "grid")
@@ -173,11 +174,11 @@ def _environment(mi: Any, env: str | os.PathLike[str]) -> dict[str, Any]:
     if not path.is_file():
         raise FormatError(f"{path} does not exist", "Give the path of an environment map, an EXR or HDR picture")
     try:
-        mi.Bitmap(str(path))
+        mi.Bitmap(native(path))
     except RuntimeError as error:
         reason = str(error).splitlines()[-1][:160]
         raise FormatError(f"{path} cannot be read as a picture: {reason}", "Give an EXR or HDR picture") from None
-    return {"type": "envmap", "filename": str(path.resolve())}
+    return {"type": "envmap", "filename": native(path.resolve())}
 
 
 def _studio(mi: Any, floor: Mapping[str, Any]) -> dict[str, Any]:

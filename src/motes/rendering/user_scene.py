@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from motes.errors import FormatError, MotesError
 from motes.rendering.interrupts import interrupt_after
+from motes.rendering.loading import native
 from motes.rendering.passes import Look, traced
 
 Floats = NDArray[np.floating[Any]]
@@ -51,7 +52,9 @@ def user_scene(look: Look, file: Path) -> Callable[[float], Floats]:
         values = {"material": str(file), "time": repr(float(time))}
         try:
             with interrupt_after(mi):
-                scene = mi.load_file(str(path), optimize=False, **{k: v for k, v in values.items() if f"${k}" in text})
+                scene = mi.load_file(
+                    native(path), optimize=False, **{k: v for k, v in values.items() if f"${k}" in text}
+                )
         except (RuntimeError, TypeError, ValueError) as error:
             lines = [line.strip() for line in str(error).splitlines() if line.strip()]
             raise MotesError(

@@ -154,7 +154,7 @@ def metrics(context: Context) -> Html:
     fit = context.fit
     data = fit.measurement
     mask, values = data.mask[0], data.values[0]
-    cosine = np.clip(data.wi[:, 2:3], 0, None)
+    cosines = np.broadcast_to(np.clip(data.wi[:, 2:3], 0, None), values.shape)[mask]
     words = {
         "linear": "difference of f cos θᵢ: what a light makes visible",
         "log": "difference of log(1 + f cos θᵢ): weighs dim parts more",
@@ -165,7 +165,7 @@ def metrics(context: Context) -> Html:
     rows: list[list[object]] = []
     for name in ("linear", "log", "cube_root", "plain"):
         value = fit.metrics.get(f"rms_{name}", math.nan)
-        signal = LOSSES[name].transform(values, np.broadcast_to(cosine, values.shape))[mask]
+        signal = LOSSES[name].transform(values[mask], cosines)
         size = float(np.sqrt(np.mean(signal**2))) if signal.size else math.nan
         share = percent(value / size) if size > 0 and math.isfinite(value) else "–"
         minimised = tag("span", " ← minimised", class_="verdict plain") if name == fit.loss else None
