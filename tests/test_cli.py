@@ -711,6 +711,7 @@ def test_every_command_and_option_is_documented() -> None:
         == set(re.findall(r"^## motes (\w+)$", page, re.MULTILINE))
         == {
             "age",
+            "certify",
             "demo",
             "dust",
             "export",

@@ -102,6 +102,7 @@ def surface(folder: Path) -> dict[str, Any]:
 NEEDS: dict[str, list[tuple[Callable[[Path], dict[str, Any]], ...]]] = {
     "README.md": [(demonstration,)],
     "docs/ageing.md": [(dried, surface)],
+    "docs/certify.md": [()],
     "docs/data.md": [()],
     "docs/deposition.md": [(chair,)],
     "docs/engine.md": [(surface,), (texels,)],

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -11,13 +9,14 @@ from numpy.typing import NDArray
 from scipy.stats import chi2
 
 from catalogue import COAT, ENTRIES, Entry, direction, upper_directions
+from motes.certification.chi_square import Bins, chi_square, sidak
 from motes.kernels import engine
 from motes.models import BRDF, Lambert, Sampled, TorranceSparrow
 
 ANGLES = (0.0, 0.9, 1.4)
 SAMPLES = 40_000
 # All the tests together fail by chance in one of a hundred worlds (Sidak); the seeds are fixed, so that this is not a thing of luck.
-SIGNIFICANCE = 1 - (1 - 0.01) ** (1 / (len(ENTRIES) * len(ANGLES)))
+SIGNIFICANCE = sidak(0.01, len(ENTRIES) * len(ANGLES))
 
 every_entry = pytest.mark.parametrize("entry", ENTRIES, ids=str)
 every_angle = pytest.mark.parametrize("theta_i", ANGLES)
@@ -36,51 +35,6 @@ def draw(model: BRDF, wi: NDArray[np.float64], seed: int, n: int = SAMPLES) -> S
 # ---------------------------------------------------------------- The chi-square test
 
 
-@dataclass(frozen=True)
-class Bins:
-    """A grid of (cos(theta_r), phi), on which solid angle is uniform, that is fine where the samples of a first draw lie dense."""
-
-    z: NDArray[np.float64]
-    phi: NDArray[np.float64]
-
-    @classmethod
-    def of(cls, wo: NDArray[np.float64], n: int = 16) -> Bins:
-        wo = wo[wo[:, 2] > 0]
-        tail = np.array([2e-4, 2e-3, 1e-2, 3e-2])  # a rule of few nodes does not see a narrow peak in a wide bin
-        inner = np.concatenate([tail, np.linspace(0, 1, n + 1)[1:-1], 1 - tail])
-        z, phi = wo[:, 2], np.arctan2(wo[:, 1], wo[:, 0])
-        z_edges = np.concatenate([np.quantile(z, inner), np.linspace(0, 1, 17)])  # and nowhere coarse
-        phi_edges = np.concatenate([np.quantile(phi, inner), np.linspace(-np.pi, np.pi, 25)])
-        return cls(np.unique(z_edges), np.unique(phi_edges))
-
-    def count(self, wo: NDArray[np.float64]) -> NDArray[np.float64]:
-        wo = wo[wo[:, 2] > 0]
-        return np.histogram2d(wo[:, 2], np.arctan2(wo[:, 1], wo[:, 0]), bins=(self.z, self.phi))[0]
-
-    def integrate(self, model: BRDF, wi: NDArray[np.float64], nodes: int = 8) -> NDArray[np.float64]:
-        """The integral of the density over every bin, by a Gauss-Legendre rule in each."""
-        x, w = np.polynomial.legendre.leggauss(nodes)
-        (z, dz), (phi, dphi) = (
-            (0.5 * (e[1:] + e[:-1])[:, None] + 0.5 * np.diff(e)[:, None] * x, 0.5 * np.diff(e)[:, None] * w)
-            for e in (self.z, self.phi)
-        )
-        Z, P = z[:, None, :, None], phi[None, :, None, :]
-        r = np.sqrt((1 - Z) * (1 + Z))
-        wo = np.stack(np.broadcast_arrays(r * np.cos(P), r * np.sin(P), Z), axis=-1)
-        return np.einsum("abij,ai,bj->ab", model.pdf(wi, wo), dz, dphi)
-
-
-def chi_square(observed: NDArray[np.float64], expected: NDArray[np.float64]) -> tuple[float, int]:
-    """The statistic and its degrees of freedom; the bins that expect least are pooled until they expect 5."""
-    order = np.argsort(expected, axis=None)
-    observed, expected = observed.ravel()[order], expected.ravel()[order]
-    pooled = int(np.searchsorted(np.cumsum(expected), 5.0)) + 1
-    first = slice(0, max(pooled, int(np.searchsorted(expected, 5.0))))
-    observed = np.concatenate([[observed[first].sum()], observed[first.stop :]])
-    expected = np.concatenate([[expected[first].sum()], expected[first.stop :]])
-    return float(np.sum((observed - expected) ** 2 / expected)), len(expected) - 1
-
-
 @every_angle
 @every_entry
 def test_samples_follow_the_density(entry: Entry, theta_i: float) -> None:
@@ -88,7 +42,7 @@ def test_samples_follow_the_density(entry: Entry, theta_i: float) -> None:
     wi = direction(theta_i, 0.5)
     bins = Bins.of(draw(entry.model, wi, 1).wo)
     wo = draw(entry.model, wi, 2).wo
-    share = bins.integrate(entry.model, wi)
+    share = bins.integrate(lambda directions: entry.model.pdf(wi, directions))
     counts = bins.count(wo)
     lost = SAMPLES - counts.sum()
     assert share.sum() <= 1 + 2e-5
@@ -104,7 +58,7 @@ def test_the_chi_square_test_sees_a_density_that_is_2_percent_off() -> None:
     wi = direction(0.9, 0.5)
     narrow, wide = TorranceSparrow(0.3, 0.15), TorranceSparrow(0.3, 0.153)
     bins, wo = Bins.of(draw(narrow, wi, 1).wo), draw(wide, wi, 2).wo
-    share = bins.integrate(narrow, wi)
+    share = bins.integrate(lambda directions: narrow.pdf(wi, directions))
     statistic, freedom = chi_square(bins.count(wo), SAMPLES * share)
     assert chi2.sf(statistic, freedom) < SIGNIFICANCE
 

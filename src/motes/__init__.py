@@ -11,6 +11,7 @@ from motes import outlets
 from motes.version import __version__
 
 if TYPE_CHECKING:
+    from motes.certification import certify
     from motes.errors import MotesError
     from motes.fitting import Fit, fit
     from motes.fitting.conversion import convert
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
     from motes.viewer.viewing import View, view
 
 _HOMES = {
+    "certify": "certification",
     "MotesError": "errors",
     "Fit": "fitting",
     "convert": "fitting.conversion",
@@ -65,6 +67,7 @@ _HOMES = {
 
 outlets.offer("fit", "motes.report.fit_page", "write_report")
 outlets.offer("fit over time", "motes.report.time_page", "write_time_report")
+outlets.offer("certificate", "motes.report.certificate_page", "write_certificate")
 outlets.offer("fitted map", "motes.report.map_page", "write_map_page")
 
 
@@ -102,6 +105,7 @@ __all__ = [
     "TorranceSparrow",
     "View",
     "__version__",
+    "certify",
     "convert",
     "fit",
     "load",

@@ -24,6 +24,7 @@ def make_app() -> App:
     import cyclopts
 
     from motes.cli.age_command import age
+    from motes.cli.certify_command import certify
     from motes.cli.demo_command import demo
     from motes.cli.dust_command import dust
     from motes.cli.export_command import export
@@ -43,7 +44,7 @@ def make_app() -> App:
         default_parameter=cyclopts.Parameter(show_default=_default),
         suppress_keyboard_interrupt=False,  # `main` answers it
     )
-    for command in (fit, stack, info, age, simulate, render, dust, view, export, demo):
+    for command in (fit, stack, info, age, simulate, render, dust, view, export, certify, demo):
         app.command(command, help=_description(command))
     return app
 

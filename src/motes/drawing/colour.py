@@ -100,11 +100,15 @@ def channels_to_srgb(channels: Sequence[str], wavelengths: ArrayLike | None = No
     )
 
 
+def srgb_curve(linear: ArrayLike) -> NDArray[np.float64]:
+    """Linear values of [0, 1] along the curve of sRGB (IEC 61966-2-1), to [0, 1]."""
+    x = np.asarray(linear, np.float64)
+    return np.where(x <= 0.0031308, 12.92 * x, 1.055 * x ** (1 / 2.4) - 0.055)
+
+
 def srgb_encode(linear: ArrayLike) -> NDArray[np.uint8]:
     """Linear values to 8-bit sRGB (IEC 61966-2-1); what lies outside [0, 1] is clipped, NaN becomes 0."""
-    x = np.clip(np.nan_to_num(np.asarray(linear, np.float64)), 0, 1)
-    encoded = np.where(x <= 0.0031308, 12.92 * x, 1.055 * x ** (1 / 2.4) - 0.055)
-    return np.round(255 * encoded).astype(np.uint8)
+    return np.round(255 * srgb_curve(np.clip(np.nan_to_num(np.asarray(linear, np.float64)), 0, 1))).astype(np.uint8)
 
 
 def _map(stops: tuple[str, ...], t: ArrayLike) -> NDArray[np.uint8]:

@@ -98,7 +98,7 @@ def _pairs(*models: BRDF) -> tuple[Floats, Floats, Floats]:
     """Directions for every light, as many after the cosine as after each model's own lobes, and the weight of each: solid angle times cosine."""
     x, polar = np.polynomial.legendre.leggauss(LIGHTS)
     theta = 0.25 * np.pi * (x + 1)
-    numbers = _even(VIEWERS)
+    numbers = even(VIEWERS)
     samplers = (Lambert(1.0), *models)
     found: list[tuple[Floats, Floats, Floats]] = []
     for light, share in zip(from_spherical(theta, 0.0), polar * np.sin(theta), strict=True):
@@ -111,11 +111,11 @@ def _pairs(*models: BRDF) -> tuple[Floats, Floats, Floats]:
     return wi, wo, weights
 
 
-def _even(count: int) -> Floats:
-    """Evenly spread points (count, 2) of the unit square: Roberts' sequence."""
+def even(count: int, shift: tuple[float, float] = (0.5, 0.5)) -> Floats:
+    """Evenly spread points (count, 2) of the unit square: Roberts' sequence, moved by `shift`."""
     ratio = 1.32471795724474602596  # the root of x^3 = x + 1
     k = np.arange(1, count + 1)[:, None]
-    return np.asarray((0.5 + k * np.array([1 / ratio, 1 / ratio**2])) % 1.0)
+    return np.asarray((np.asarray(shift) + k * np.array([1 / ratio, 1 / ratio**2])) % 1.0)
 
 
 def _relative(brdf: BRDF, source: BRDF) -> float:
