@@ -16,7 +16,9 @@ import pytest
 from numpy.typing import NDArray
 from scipy.integrate import quad
 
+import layer_network
 from golden import Rows, published
+from motes import directions
 from motes.arrays import NUMPY
 from motes.directions import Geometry, Vector
 from motes.models import (
@@ -225,6 +227,33 @@ def dust_layer(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
     return DustLayer(base, Dust(column(r["w"]), r["g"]), tau), share * value + (1 - share) * dust_brdf(r)
 
 
+def physical(r: Rows) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """w and g of real particles."""
+    return np.minimum(r["w"], 1.0), np.clip(r["g"], -0.75, 0.9)
+
+
+def dust_multiple(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
+    w, g = physical(r)
+    once = w * phase(r, g) / (4 * np.pi * (r["cos_theta_i"] + r["cos_theta_r"]))
+    more = layer_network.brdf(*angles(r), np.full_like(w, 1e30), w, g, 0 * w)
+    return Dust(column(w), g, scattering="multiple"), once + more
+
+
+def dust_layer_multiple(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
+    w, g = physical(r)
+    tau, base = r["sigma_s"], np.minimum(r["K_d"], 0.9)
+    share = np.exp(-tau / r["cos_theta_i"] - tau / r["cos_theta_r"])
+    once = (1 - share) * w * phase(r, g) / (4 * np.pi * (r["cos_theta_i"] + r["cos_theta_r"]))
+    model = DustLayer(Lambert(column(base)), Dust(column(w), g), tau, scattering="multiple")
+    return model, once + layer_network.brdf(*angles(r), tau, w, g, base)
+
+
+def phase(r: Rows, g: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Henyey and Greenstein's phase function by vectors."""
+    i, o = (directions.from_spherical(r[f"theta_{k}"], r[f"phi_{k}"]) for k in "ir")
+    return (1 - g * g) / (1 + g * g + 2 * g * np.einsum("nk,nk->n", i, o)) ** 1.5
+
+
 # ---------------------------------------------------------------- Known integrals
 
 
@@ -335,6 +364,12 @@ ENTRIES = (
         at_most=None,
     ),
     Entry("dust_layer", DustLayer(PLASTER + COAT, Dust((0.7, 0.6, 0.5), 0.3), tau=0.2), dust_layer, at_most=None),
+    Entry("dust_multiple", Dust((0.95, 0.8, 0.5), 0.4, scattering="multiple"), dust_multiple),
+    Entry(
+        "dust_layer_multiple",
+        DustLayer(PLASTER, Dust((0.95, 0.8, 0.5), 0.5), tau=0.6, scattering="multiple"),
+        dust_layer_multiple,
+    ),
     Entry(
         "dust_on_plaster_and_varnish",  # every name twice or more
         DustLayer(

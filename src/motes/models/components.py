@@ -46,3 +46,13 @@ class Reflecting(Parametrised, ABC):
     @abstractmethod
     def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
         """The parts that are sampled and integrated each in its own way; their formulas add up to the BRDF's."""
+
+    def reflected(self, xp: Array, cos_theta_i: Array) -> Array:
+        """The share of light from a direction that is reflected, as far as a formula tells: the sum of what the components say.
+
+        `BRDF.directional_albedo` integrates; this is for formulas that need the albedo of what lies below.
+        """
+        total: Array = 0.0
+        for component in self.components(xp, cos_theta_i):
+            total = total + component.importance
+        return total

@@ -2,27 +2,62 @@ r"""Blinn's top-lit dust, equations (12)-(13), and a layer of it over another su
 
 .. math::  f = \frac{w \Phi(\gamma, g)}{4 \pi (\cos\theta_i + \cos\theta_r)}
 
+That is light scattered once, exactly.  With ``scattering="multiple"`` come all further scatterings
+(`motes.models.multiple_scattering`), and in a layer the light that they bring to the base and back.
+
 Source: J. F. Blinn, "Light reflection functions for simulation of clouds and dusty surfaces", SIGGRAPH 1982, and
 appendix C of "Time-Varying BRDFs"."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
 from typing import ClassVar, Self, final
 
 import numpy as np
 
 from motes import equations
-from motes.arrays import Array
+from motes.arrays import Array, is_foreign
 from motes.directions import Geometry
 from motes.errors import ParameterError
 from motes.models.base import BRDF
 from motes.models.components import Component
-from motes.models.lobes import PhaseLobe, Reflection
+from motes.models.exchange import Exchange
+from motes.models.lobes import CosineLobe, PhaseLobe, Reflection
+from motes.models.multiple_scattering import INFINITE, LEAST_G, MOST_G, Diffused
 from motes.models.naming import register
-from motes.models.standard import DIFFUSIVITY, StandardLobe
-from motes.parameters import Place, Role, option, parameter, part
+from motes.models.standard import DIFFUSIVITY, MEAN_COSINE, StandardLobe
+from motes.parameters import Parameter, Place, Role, option, parameter, part
+
+SCATTERING = (SINGLE, MULTIPLE) = ("single", "multiple")
+
+
+def physical(
+    walked: Iterable[tuple[tuple[str, ...], Parameter, Array]], scattering: str
+) -> Iterator[tuple[tuple[str, ...], Parameter, Array]]:
+    """Parameters of dust, with the bounds of real particles where light is scattered more than once."""
+    for path, declared, value in walked:
+        if scattering == MULTIPLE and declared.role is Role.SINGLE_SCATTERING_ALBEDO:
+            declared = replace(declared, bounds=(0, 1), fit_bounds=(0, 1))
+        elif scattering == MULTIPLE and declared.role is Role.ASYMMETRY:
+            declared = replace(declared, bounds=(LEAST_G, MOST_G), open=False, fit_bounds=(LEAST_G, MOST_G))
+        yield path, declared, value
+
+
+def check_physical(owner: str, dust: Dust) -> None:
+    """Raise `ParameterError` for dust that cannot be: that sends back more than it meets, or scatters in one line."""
+    for value, (least, most), name, advice in (
+        (
+            dust.w,
+            (0, 1),
+            "w",
+            "w is the share of light that a particle scatters; fits of single scattering may hold more than 1",
+        ),
+        (dust.g, (LEAST_G, MOST_G), "g", "multiple scattering was computed in that range only"),
+    ):
+        if not is_foreign(value) and not (np.all(np.asarray(value) >= least) and np.all(np.asarray(value) <= most)):
+            worst = np.asarray(value).ravel()[int(np.argmax(np.abs(np.asarray(value) - 0.5 * (least + most))))]
+            raise ParameterError(f"{owner}: {name} = {worst:g} is outside [{least:g}, {most:g}]", advice)
 
 
 @register("dust")
@@ -35,6 +70,9 @@ class Dust(BRDF):
     ----------
     w, g
         Single-scattering albedo, and mean cosine of the deviation angle.
+    scattering
+        ``"single"``: as in the source, scattered once.  ``"multiple"``: all orders of scattering, with w <= 1 and g within
+        -0.75 and 0.9.
     form
         ``"brdf"``: reciprocal, in 1/sr, what renders.  ``"brightness"``: equation (12) as printed, for comparing with
         published parameters; it equals the BRDF times 4 pi cos(theta_i) and is not reciprocal.
@@ -74,21 +112,52 @@ class Dust(BRDF):
         role=Role.ASYMMETRY,
     )
     form: str = option("brdf", words=("brdf", "brightness"), doc="what equation (12) is turned into")
+    scattering: str = option("single", words=SCATTERING, doc="how often light is scattered")
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.scattering == MULTIPLE:
+            check_physical("Dust", self)
+            if self.form != "brdf":
+                raise ParameterError(
+                    f"Dust: form = {self.form!r} is equation (12) as printed, which knows one scattering",
+                    "Use form='brdf' with scattering='multiple'",
+                )
+
+    def _walk(self, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Parameter, Array]]:
+        return physical(super()._walk(path), self.scattering)
 
     @property
     def reciprocal(self) -> bool:  # type: ignore[override]
         return self.form == "brdf"
 
     def formula(self, xp: Array, geometry: Geometry) -> Array:
+        once = self.scattered_once(xp, geometry)
+        return once if self.scattering == SINGLE else once + self._deep(xp).higher_orders(geometry)
+
+    def scattered_once(self, xp: Array, geometry: Geometry) -> Array:
+        """The BRDF [1/sr] of light scattered once by a bed without an end."""
         Phi = equations.Phi(xp, geometry.sin2_half_gamma, geometry.cos2_half_gamma, self.g)
         equation = equations.dust_brdf if self.form == "brdf" else equations.rho_dust
         return equation(xp, Phi, geometry.cos_theta_i, geometry.cos_theta_r, self.w)
 
     def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
         scale = 0.15 if self.form == "brdf" else 1.9 * cos_theta_i
-        return [Component(self.formula, PhaseLobe(self.g), self.w * scale)]
+        once = Component(self.scattered_once, PhaseLobe(self.g), self.w * scale)
+        if self.scattering == SINGLE:
+            return [once]
+        deep = self._deep(xp)
+        more = Component(lambda _, geometry: deep.higher_orders(geometry), CosineLobe(), deep.escaping(cos_theta_i))
+        return [once, more]
+
+    def _deep(self, xp: Array) -> Diffused:
+        return Diffused(xp, INFINITE, self.w, self.g)
 
     def standard_lobes(self, xp: Array, values: Self, cos_view: Array) -> list[StandardLobe]:
+        if self.scattering == MULTIPLE:
+            once = float(Dust(w=1.0, g=float(np.ravel(self.g)[0])).spherical_albedo()[0])
+            found = [values.w * once, values._deep(xp).mean_escaping]
+            return [StandardLobe(Reflection.DIFFUSE, share) for share in found]
         # The albedo goes with w: 2 (1 - ln 2)/3 of it where g = 0.
         unit = Dust(w=1.0, g=float(np.ravel(self.g)[0]), form=self.form)
         return [StandardLobe(Reflection.DIFFUSE, values.w * float(unit.spherical_albedo()[0]))]
@@ -101,7 +170,17 @@ class DustLayer(BRDF):
     """A layer of dust of optical thickness ``tau`` over a base (Blinn 1982).
 
     f = T f_base + (1 - T) f_dust with T = exp(-tau (1/cos(theta_i) + 1/cos(theta_r))): at tau = 0 the base, as tau
-    grows the dust."""
+    grows the dust.
+
+    Parameters
+    ----------
+    base, dust, tau
+        What lies below, what the layer is made of, and its optical thickness.
+    scattering
+        ``"single"``: the line above, as in the source.  ``"multiple"``: all orders of scattering in the layer, and between it and
+        the base, where light that was scattered counts as diffuse; w <= 1, and an infinite tau is the half space.  What goes
+        straight through keeps the lobe of the base; light that is only bent a little on its way is not yet a blur around that.
+    """
 
     words: ClassVar[str] = "a layer of dust"
     approximation: ClassVar[str] = (
@@ -120,11 +199,26 @@ class DustLayer(BRDF):
         doc="optical thickness of the layer",
         role=Role.DEPTH,
     )
+    scattering: str = option("single", words=SCATTERING, doc="how often light is scattered in the layer")
 
     def __post_init__(self) -> None:
+        if self.scattering == MULTIPLE and isinstance(self.tau, float) and self.tau == float("inf"):
+            object.__setattr__(self, "tau", INFINITE)
         super().__post_init__()
         if self.dust.form != "brdf":
             raise ParameterError(f"DustLayer: dust.form = {self.dust.form!r} is not a BRDF", "Use Dust(form='brdf')")
+        if self.dust.scattering != SINGLE:
+            raise ParameterError(
+                f"DustLayer: dust.scattering = {self.dust.scattering!r} is that of a bed without an end",
+                f"Say it of the layer: DustLayer(base, dust, tau, scattering={self.dust.scattering!r})",
+            )
+        if self.scattering == MULTIPLE:
+            check_physical("DustLayer", self.dust)
+
+    def _walk(self, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Parameter, Array]]:
+        own = (*path, "dust")
+        for found in super()._walk(path):
+            yield from physical([found], self.scattering) if found[0][: len(own)] == own else [found]
 
     @property
     def reciprocal(self) -> bool:  # type: ignore[override]
@@ -132,21 +226,32 @@ class DustLayer(BRDF):
 
     def formula(self, xp: Array, geometry: Geometry) -> Array:
         depth = equations.slant_depth(xp, geometry.cos_theta_i, geometry.cos_theta_r, self.tau)
-        return equations.dust_layer(xp, self.base.formula(xp, geometry), self.dust.formula(xp, geometry), depth)
+        once = equations.dust_layer(xp, self.base.formula(xp, geometry), self.dust.scattered_once(xp, geometry), depth)
+        return once if self.scattering == SINGLE else once + self._exchange(xp).formula(xp, geometry)
+
+    def _exchange(self, xp: Array) -> Exchange:
+        return Exchange(self.base, Diffused(xp, self.tau, self.dust.w, self.dust.g))
 
     def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
         # Chances as if light left at 45 degrees.
         through = xp.exp(-equations.slant_depth(xp, cos_theta_i, 0.7, self.tau))
         parts = [(part, 0.0, through) for part in self.base.components(xp, cos_theta_i)]
         parts += [(part, 1.0, 1 - through) for part in self.dust.components(xp, cos_theta_i)]
-        return [Component(self._seen(part, own), part.lobe, part.importance * share) for part, own, share in parts]
+        found = [Component(self._seen(part, own), part.lobe, part.importance * share) for part, own, share in parts]
+        if self.scattering == MULTIPLE:
+            exchange = self._exchange(xp)
+            found.append(Component(exchange.formula, CosineLobe(), exchange.importance(cos_theta_i)))
+        return found
 
     def standard_lobes(self, xp: Array, values: Self, cos_view: Array) -> list[StandardLobe]:
         # Along the light, whose direction nobody tells, the mean of 1/cos; the darkening towards grazing holds for the viewer at most.
         through = xp.exp(-values.tau * (1 / cos_view + DIFFUSIVITY))
         base = self.base.standard_lobes(xp, values.base, cos_view)
         dust = self.dust.standard_lobes(xp, values.dust, cos_view)
-        return [lobe.scaled(through) for lobe in base] + [lobe.scaled(1 - through) for lobe in dust]
+        found = [lobe.scaled(through) for lobe in base] + [lobe.scaled(1 - through) for lobe in dust]
+        if self.scattering == MULTIPLE:
+            found.append(StandardLobe(Reflection.DIFFUSE, values._exchange(xp).importance(MEAN_COSINE)))
+        return found
 
     def in_words(self) -> str:
         base = self.base.in_words()

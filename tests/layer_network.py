@@ -1,0 +1,73 @@
+"""The fitted form of multiple scattering, written out a second time with matrices: what tests compare the models with."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+import motes
+
+Floats = NDArray[np.float64]
+NUMBERS = json.loads((Path(motes.__file__).parent / "models/data/multiple_scattering.json").read_text())
+
+
+def stretched(mu: Floats) -> Floats:
+    return (1.8 * mu - 0.4) / (0.4 + mu)
+
+
+def outputs(tau: Floats, w: Floats, g: Floats) -> tuple[Floats, Floats, Floats, Floats, Floats]:
+    """Coefficients of E and of t (N, 6), c and d (N, 3), and what is lost of uniform light (N,)."""
+    loss, opacity = 1 - w, 1 - w * g
+
+    def tangent(k2: Floats) -> Floats:
+        k = np.sqrt(np.maximum(k2, 1e-10))
+        return np.tanh(0.5 * k * tau) / k
+
+    q = tangent(3 * loss * opacity)
+    k2q2 = np.maximum(3 * loss * opacity, 1e-10) * q**2
+    below = 1 + k2q2 + np.sqrt(3) * (loss + opacity) * q
+    through, lost = (1 - k2q2) / below, 2 * q * (3 * opacity * q + np.sqrt(3)) / below
+    features = [np.sqrt(np.maximum(loss / opacity, 1e-10)), w, g, tau / (1 + tau), tau * opacity / (1 + tau * opacity)]
+    features += [through, 1 - through - loss * lost, np.exp(-tau)]
+    h = (np.stack(features, -1) - NUMBERS["mean"]) / NUMBERS["deviation"]
+    for weights, offsets in zip(NUMBERS["weights"], NUMBERS["offsets"], strict=True):
+        last = weights is NUMBERS["weights"][-1]
+        h = h @ np.array(weights) + offsets
+        h = h if last else h / np.hypot(1, h)
+    k2 = 3 * loss * opacity / (1 + 2 * loss)
+    q = tangent(k2)
+    k2q2 = np.maximum(k2, 1e-10) * q**2
+    deep = w * (1 - k2q2) / (1 + k2q2 + 0.5 * np.sqrt(3) * opacity * q)
+    met = w**2 * tau * opacity / (1 + tau * opacity)
+    return met[:, None] * h[:, :6], deep[:, None] * h[:, 6:12], h[:, 12:15], h[:, 15:18], loss * lost * h[:, 18]
+
+
+def brdf(theta_i: Floats, theta_r: Floats, dphi: Floats, tau: Floats, w: Floats, g: Floats, base: Floats) -> Floats:
+    """A layer over a Lambertian base (N,) [1/sr], without what is scattered once."""
+    e, t, c, d, lost = outputs(tau, w, g)
+
+    def functions(mu: Floats) -> tuple[Floats, Floats]:
+        hit = 1 - np.exp(-tau / mu)
+        powers = np.vander(stretched(mu), 6, increasing=True)
+        return hit * np.sum(e * powers, -1), 1 - hit + hit * np.sum(t * powers, -1)
+
+    x, weights = np.polynomial.legendre.leggauss(12)
+    nodes = (0.5 * (x + 1)) ** 2
+    measure = 2 * nodes * 0.5 * weights * 2 * np.sqrt(nodes)
+    values = [functions(np.full_like(tau, node)) for node in nodes]
+    E, T = (np.stack([value[k] for value in values], -1) for k in (0, 1))
+    v = stretched(nodes)
+    mean_e = E @ measure
+    means = [(E * (p * measure)).sum(-1) / mean_e for p in (v, v**2)]
+    mean_t = T @ measure
+    (e_i, t_i), (e_r, t_r) = functions(np.cos(theta_i)), functions(np.cos(theta_r))
+    v_i, v_r = stretched(np.cos(theta_i)), stretched(np.cos(theta_r))
+    p_i, p_r = ([v - means[0], v**2 - means[1]] for v in (v_i, v_r))
+    bracket = 1 + c[:, 0] * p_i[0] * p_r[0] + c[:, 1] * (p_i[0] * p_r[1] + p_i[1] * p_r[0]) + c[:, 2] * p_i[1] * p_r[1]
+    waves = d[:, 0] + d[:, 1] * (v_i + v_r) + d[:, 2] * v_i * v_r
+    bracket += -2 * np.cos(dphi) * np.sin(theta_i) * np.sin(theta_r) * waves
+    higher = e_i * e_r / (np.pi * mean_e) * np.maximum(bracket, 0)
+    return higher + base * t_i * t_r / (np.pi * (1 - base * (1 - mean_t - lost)))
