@@ -40,7 +40,7 @@ def data_of(text: str) -> dict:
 def test_the_page_holds_everything_and_forbids_the_rest(tmp_path: Path) -> None:
     file = motes.view(ROCK).save(tmp_path / "page.html")
     text = file.read_text(encoding="utf-8")
-    assert file.stat().st_size <= 1.5e6
+    assert file.stat().st_size <= 1.6e6
     script, style = ((STATIC / name).read_text(encoding="utf-8") for name in ("viewer.js", "viewer.css"))
     rules = re.search(r'Content-Security-Policy" content="([^"]*)"', text)[1].replace("&#x27;", "'")
     assert rules == policy(script, style)
@@ -152,7 +152,9 @@ def test_the_page_finds_a_piece_for_every_model() -> None:
             elif f.name == "fresnel":
                 names = [[*start, *word] for start in names for word in ([], *([each] for each in registered(Fresnel)))]
         made |= {"_".join(each) for each in names}
-    assert made == set(shader_library.pieces())
+    # Words that do not go together, and a layer that is lit by its base: the page says that it holds no shader for that.
+    assert made - set(shader_library.pieces()) == {"dust_brightness_multiple", "dust_layer_multiple"}
+    assert set(shader_library.pieces()) <= made
 
 
 def test_the_meshes_are_those_of_the_rendering_room() -> None:

@@ -431,6 +431,15 @@ export const MODELS: Record<string, ModelDeclaration> = {
           "brdf",
           "brightness"
         ]
+      },
+      {
+        "kind": "option",
+        "name": "scattering",
+        "value": "single",
+        "words": [
+          "single",
+          "multiple"
+        ]
       }
     ]
   },
@@ -471,6 +480,15 @@ export const MODELS: Record<string, ModelDeclaration> = {
         "perChannel": false,
         "role": "depth",
         "advice": ""
+      },
+      {
+        "kind": "option",
+        "name": "scattering",
+        "value": "single",
+        "words": [
+          "single",
+          "multiple"
+        ]
       }
     ]
   },

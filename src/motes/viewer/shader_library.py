@@ -6,11 +6,15 @@ layer over a Lambertian base, whose value is K_d/pi: with K_d = pi f.
 
 from __future__ import annotations
 
+import dataclasses
 import itertools
 import re
 from functools import cache
 from typing import Any
 
+import numpy as np
+
+from motes.errors import ParameterError
 from motes.exports import glsl
 from motes.exports.shaders import Shader
 from motes.models import BRDF, Lambert, registered
@@ -39,8 +43,25 @@ def pieces() -> dict[str, BRDF]:
         for chosen in itertools.product(*(choices for _, choices in options)):
             words = [word for word, _ in chosen if word]
             given = {field: value for (field, _), (_, value) in zip(options, chosen, strict=True)}
-            models["_".join([name, *words])] = cls(**bases, **given)
+            try:
+                model = cls(**bases, **given)
+            except ParameterError:  # words that do not go together
+                continue
+            if all(_takes_any(model, base) for base in bases):
+                models["_".join([name, *words])] = model
     return models
+
+
+def _takes_any(model: BRDF, base: str) -> bool:
+    """Whether a layer depends on what its base reflects from here to there alone, by a factor and a sum, so that pi f may stand for K_d.
+
+    A layer that is lit by all that its base reflects does not: the page asks for a page of the material's own.
+    """
+    wi, wo = np.array([0.6, 0.0, 0.8]), np.array([-0.28, 0.0, 0.96])
+    none, half, whole = (
+        np.asarray(dataclasses.replace(model, **{base: Lambert(K_d)}).eval(wi, wo)) for K_d in (0.0, 0.5, 1.0)
+    )
+    return bool(np.allclose(none + whole, 2 * half, rtol=1e-9, atol=0))
 
 
 def _terms(accepts: type[Parametrised]) -> list[tuple[str, Any]]:
