@@ -23,7 +23,8 @@ Floats = NDArray[np.float64]
 N = 16  # cosines of the exact computation
 TERMS = 6  # coefficients of E and of t
 AZIMUTHS = (np.arange(128) + 0.5) / 128 * np.pi
-THINNEST = 1e-5  # the optical thickness that doubling starts from
+# The optical thickness that doubling starts from: what it neglects, its half, is lost as often as it is doubled.
+THINNEST = 1e-9
 
 _x, _w = np.polynomial.legendre.leggauss(N)
 MU, WEIGHTS = 0.5 * (_x + 1), 0.5 * _w
@@ -149,7 +150,7 @@ AT_NODES = np.linalg.inv(np.vander(NODES, TERMS, increasing=True))  # coefficien
 def layers(count: int, seed: int) -> tuple[Floats, Floats, list[Floats]]:
     """Random layers (count, 3), what was fitted to each (count, 19), and the metrics."""
     rng = np.random.default_rng(seed)
-    tau = np.where(rng.uniform(size=count) < 0.05, 1e4, 10 ** rng.uniform(-2.6, 2.3, count))  # and half spaces
+    tau = np.where(rng.uniform(size=count) < 0.08, 1e4, 10 ** rng.uniform(-2.6, 2.3, count))  # and half spaces
     kind = rng.uniform(size=count)
     w = np.where(kind < 0.6, 1 - rng.uniform(size=count) ** 3, np.where(kind < 0.9, 1.0, rng.uniform(size=count)))
     g = rng.uniform(-0.75, 0.9, count)
