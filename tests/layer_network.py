@@ -19,7 +19,7 @@ def stretched(mu: Floats) -> Floats:
 
 
 def outputs(tau: Floats, w: Floats, g: Floats) -> tuple[Floats, Floats, Floats, Floats, Floats]:
-    """Coefficients of E and of t (N, 6), c and d (N, 3), and what is lost of uniform light (N,)."""
+    """Coefficients of E and of t (N, 6), c and d (N, 3), and what is lost of uniform light (N,).  No share is below 0."""
     loss, opacity = 1 - w, 1 - w * g
 
     def tangent(k2: Floats) -> Floats:
@@ -49,20 +49,22 @@ def brdf(theta_i: Floats, theta_r: Floats, dphi: Floats, tau: Floats, w: Floats,
     """A layer over a Lambertian base (N,) [1/sr], without what is scattered once."""
     e, t, c, d, lost = outputs(tau, w, g)
 
-    def functions(mu: Floats) -> tuple[Floats, Floats]:
+    def functions(mu: Floats, least: float = 0.0) -> tuple[Floats, Floats]:
         hit = 1 - np.exp(-tau / mu)
         powers = np.vander(stretched(mu), 6, increasing=True)
-        return hit * np.sum(e * powers, -1), 1 - hit + hit * np.sum(t * powers, -1)
+        up, down = (np.maximum(np.sum(c * powers, -1), least) for c in (e, t))
+        return hit * up, 1 - hit + hit * down
 
     x, weights = np.polynomial.legendre.leggauss(12)
     nodes = (0.5 * (x + 1)) ** 2
     measure = 2 * nodes * 0.5 * weights * 2 * np.sqrt(nodes)
-    values = [functions(np.full_like(tau, node)) for node in nodes]
+    values = [functions(np.full_like(tau, node), -np.inf) for node in nodes]
     E, T = (np.stack([value[k] for value in values], -1) for k in (0, 1))
     v = stretched(nodes)
     mean_e = E @ measure
     means = [(E * (p * measure)).sum(-1) / mean_e for p in (v, v**2)]
-    mean_t = T @ measure
+    mean_t = np.maximum(T @ measure, 0)
+    returned = np.clip(1 - mean_t - lost, 0, w * (np.stack([1 - np.exp(-tau / node) for node in nodes], -1) @ measure))
     (e_i, t_i), (e_r, t_r) = functions(np.cos(theta_i)), functions(np.cos(theta_r))
     v_i, v_r = stretched(np.cos(theta_i)), stretched(np.cos(theta_r))
     p_i, p_r = ([v - means[0], v**2 - means[1]] for v in (v_i, v_r))
@@ -70,4 +72,4 @@ def brdf(theta_i: Floats, theta_r: Floats, dphi: Floats, tau: Floats, w: Floats,
     waves = d[:, 0] + d[:, 1] * (v_i + v_r) + d[:, 2] * v_i * v_r
     bracket += -2 * np.cos(dphi) * np.sin(theta_i) * np.sin(theta_r) * waves
     higher = e_i * e_r / (np.pi * mean_e) * np.maximum(bracket, 0)
-    return higher + base * t_i * t_r / (np.pi * (1 - base * (1 - mean_t - lost)))
+    return higher + base * t_i * t_r / (np.pi * (1 - base * returned))

@@ -95,8 +95,19 @@ def test_reciprocity_is_exact_and_nothing_negative() -> None:
     assert (there >= 0).all()
     mu = wi[:, 2]
     parts = Diffused(NUMPY, model.tau, model.dust.w[:, 0], model.dust.g)
-    assert (np.asarray(parts.escaping(mu)) >= -1e-3).all()
-    assert (np.asarray(parts.arriving(mu)) >= -1e-3).all()
+    for share in (parts.escaping(mu), parts.arriving(mu), parts.mean_arriving, parts.mean_returned):
+        assert (np.asarray(share) >= 0).all()
+        assert (np.asarray(share) <= 1).all()
+    dark = layer(TorranceSparrow(1.0, 0.02), model.tau, model.dust.w, model.dust.g)  # 0 but about the mirror direction
+    assert (np.asarray(dark.eval(wi, wo)) >= 0).all()
+
+
+@pytest.mark.parametrize("base", [Lambert(0.5), PAINT, TorranceSparrow(0.8, 0.1)])
+def test_black_dust_only_takes_light(base: BRDF) -> None:
+    wi, wo = upper_directions(200, 3), upper_directions(200, 4)
+    for tau in (0.1, 1.0, 5.0):
+        through = np.exp(-tau * (1 / wi[:, 2:] + 1 / wo[:, 2:]))
+        np.testing.assert_allclose(layer(base, tau, 0.0, 0.3).eval(wi, wo), base.eval(wi, wo) * through, rtol=1e-12)
 
 
 def test_without_dust_it_is_the_base_to_the_last_bit() -> None:

@@ -90,11 +90,11 @@ class Diffused:
 
     def escaping(self, cos_theta: Array) -> Array:
         """The share E of light that leaves above after two or more scatterings."""
-        return self.hit(cos_theta) * polynomial(self._fitted[0], stretched(cos_theta))
+        return self.hit(cos_theta) * self.xp.maximum(polynomial(self._fitted[0], stretched(cos_theta)), 0.0)
 
     def arriving(self, cos_theta: Array) -> Array:
         """The share of light that arrives below diffusely, t less what comes straight through."""
-        return self.hit(cos_theta) * polynomial(self._fitted[1], stretched(cos_theta))
+        return self.hit(cos_theta) * self.xp.maximum(polynomial(self._fitted[1], stretched(cos_theta)), 0.0)
 
     def higher_orders(self, geometry: Geometry) -> Array:
         """The BRDF of two and more scatterings [1/sr]."""
@@ -120,12 +120,16 @@ class Diffused:
     def mean_arriving(self) -> Array:
         """The share of uniform light that arrives below, straight or diffusely."""
         straight = 1 - self._moments[0]
-        return straight + self._mean(self._fitted[1], 0)
+        return self.xp.maximum(straight + self._mean(self._fitted[1], 0), 0.0)
 
     @cached_property
     def mean_returned(self) -> Array:
-        """The share of uniform light, from above or from below, that leaves on its own side: 1 less what arrives and what is lost."""
-        return 1 - self.mean_arriving - (1 - self.w) * self._fitted[4]
+        """The share of uniform light, from above or from below, that leaves on its own side: 1 less what arrives and what is lost.
+
+        It is between 0 and what meets a particle and is scattered: exactly nothing where the dust is black.
+        """
+        returned = 1 - self.mean_arriving - (1 - self.w) * self._fitted[4]
+        return self.xp.maximum(self.xp.minimum(returned, self.w * self._moments[0]), 0.0)
 
     @cached_property
     def _means(self) -> tuple[Array, Array]:

@@ -52,7 +52,8 @@ def _model_plugin(surface: type, model: str) -> Callable[[Any], Any]:
             given |= {} if word is None else {place.name: classes[word]()}
         template = cls(**given)
         if not template.reciprocal:
-            options = ", ".join(f"{name} = {value!r}" for name, value in template.options().items())
+            usual = {option.name: option.default for option in cls.declared_options()}
+            options = ", ".join(f"{k} = {word!r}" for k, word in template.options().items() if word != usual.get(k))
             raise ParameterError(f"{owner} with {options} is not reciprocal, so it is no BRDF", "Leave the option out")
         others = [*(o.name for o in cls.declared_options()), *(p.name for p in cls.declared_parts())]
         return surface(properties, template, (), tuple(others))
