@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import motes
-from motes.ageing import PHENOMENA, simulate
+from motes.ageing import PHENOMENA, age, simulate
 from motes.ageing.drying import wet_and_dry
 from motes.ageing.rig import Rig
 from motes.directions import from_spherical
@@ -146,10 +146,34 @@ def test_dust_hides_the_highlight_by_the_law_of_attenuation(theta: float) -> Non
         law = np.exp(-0.1 * t * 2 / np.cos(theta))
         np.testing.assert_allclose(aged.at(t).eval(wi, wo), base.eval(wi, wo) * law, rtol=1e-12)
     assert set(aged.trends) == {"tau"}
-    bright = PHENOMENA["dust"](base, hours=10, tau_growth=1.0, w=0.8, g=0.3).at(10.0).eval(wi, wo)
+    bright = {"hours": 10, "tau_growth": 1.0, "w": 0.8, "g": 0.3}
+    once = PHENOMENA["dust"](base, scattering="single", **bright).at(10.0).eval(wi, wo)
     law = np.exp(-2 / np.cos(theta))
     expected = base.eval(wi, wo) * law + motes.Dust(w=0.8, g=0.3).eval(wi, wo) * (1 - law)
-    np.testing.assert_allclose(bright, expected, rtol=1e-12)
+    np.testing.assert_allclose(once, expected, rtol=1e-12)
+    assert (
+        PHENOMENA["dust"](base, **bright).at(10.0).eval(wi, wo) > expected
+    ).all()  # what is scattered again comes on top
+
+
+def test_the_form_of_scattering_stays_and_is_carried_over() -> None:
+    dusty = PHENOMENA["dust"](TARGETS["clay"], hours=10)
+    assert dusty.brdf.options()["scattering"] == "multiple"
+    assert PHENOMENA["dust"](TARGETS["dusty"], hours=10).brdf.options()["scattering"] == "single"  # its own
+    changed = PHENOMENA["dust"](TARGETS["dusty"], hours=10, scattering="multiple")
+    assert changed.brdf.options()["scattering"] == "multiple"
+    for form in ("single", "multiple"):
+        source = PHENOMENA["dust"](TARGETS["clay"], hours=10, scattering=form)
+        for target in ("clay", "dusty"):  # w and g are those of the source, and mean what they mean in its form
+            assert age(TARGETS[target], "dust", source=source).brdf.options()["scattering"] == form
+        assert any(
+            form in note or (form == "single" and "once" in note) for note in source.about["ageing"][-1]["notes"]
+        )
+    with pytest.raises(ParameterError, match="scattering = 'twice' is not one of single, multiple"):
+        PHENOMENA["dust"](TARGETS["clay"], hours=10, scattering="twice")
+    too_bright = motes.DustLayer(motes.Lambert(0.3), motes.Dust(w=1.4), tau=0.1)
+    with pytest.raises(ParameterError, match=r"w = 1.4 is outside \[0, 1\]"):
+        PHENOMENA["dust"](too_bright, hours=10, scattering="multiple")
 
 
 def test_dust_gathers_on_dust_and_on_drying() -> None:

@@ -60,6 +60,34 @@ class Option:
         return float(array) if array.ndim == 0 else array
 
 
+@final
+@dataclass(frozen=True)
+class Choice:
+    """A word of a phenomenon that can be replaced.
+
+    Parameters
+    ----------
+    default
+        None where it follows from the surface.
+    words
+        Those there are.
+    doc
+        Meaning, and where the default comes from.
+    """
+
+    default: str | None
+    words: tuple[str, ...]
+    doc: str
+
+    def checked(self, owner: str, name: str, value: Any) -> str:
+        """`value`, one of the words."""
+        if value not in self.words:
+            raise ParameterError(
+                f"{owner}: {name} = {str(value)[:80]!r} is not one of {', '.join(self.words)}", f"It is the {self.doc}"
+            )
+        return str(value)
+
+
 class Task(NamedTuple):
     """What a phenomenon works on: the BRDF at the moment `given`, the times, and the options."""
 
@@ -91,7 +119,7 @@ class Phenomenon:
     moves
         Role of a parameter -> how it moves; these are what a transfer carries over.
     options
-        The numbers that can be replaced.
+        The numbers and words that can be replaced.
     given
         The moment at which a material is taken to be what it is, unless said otherwise: ``"start"`` or ``"end"``.
     rules
@@ -105,7 +133,7 @@ class Phenomenon:
     name: str
     doc: str
     moves: Mapping[Role, str]
-    options: Mapping[str, Option]
+    options: Mapping[str, Option | Choice]
     given: str
     rules: Mapping[Role, str]
     build: Callable[[Task], Aged] = field(repr=False)

@@ -8,6 +8,7 @@ value along a logistic curve; dust gathers in proportion to time.  The numbers a
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -29,8 +30,10 @@ TRENDS: dict[str, Callable[[float], Any]] = {
 }
 
 
-def drying_plaster(hours: float) -> BRDF:
+def drying_plaster(hours: float, scattering: str = "single") -> BRDF:
     """The plaster, three channels (R, G, B), at a time [h] >= 0 after it was laid.
+
+    In its dust light is scattered once, as in the source, or as often as it is (``scattering="multiple"``).
 
     Examples
     --------
@@ -38,4 +41,5 @@ def drying_plaster(hours: float) -> BRDF:
     >>> round(wet["K_s"], 3), round(dry["K_s"], 3)
     (0.6, 0.001)
     """
-    return parse(MODEL).model.with_parameters({name: trend(hours) for name, trend in TRENDS.items()})
+    values = {name: trend(hours) for name, trend in TRENDS.items()}
+    return replace(parse(MODEL).model, scattering=scattering).with_parameters(values)  # type: ignore[call-arg]

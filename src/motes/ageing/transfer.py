@@ -30,7 +30,7 @@ from motes.ageing.carrying import Interval, carried, grey, mapped, meaned, stret
 from motes.ageing.highlights import with_highlight
 from motes.ageing.phenomena import phenomenon
 from motes.ageing.phenomenon import Aged, Phenomenon, anchored, as_material, finished, interval_of
-from motes.ageing.settling import OWN, dusted
+from motes.ageing.settling import OWN, dusted, scattered
 from motes.errors import ParameterError
 from motes.material import Material
 from motes.models import BRDF, TorranceSparrow, layer_of
@@ -237,9 +237,10 @@ def _dust(
             value = grey(value)
             notes.append(f"{name} is the mean over the source's channels")
         dust[name] = value
-    layer, added = dusted(brdf, dust.get("w"), dust.get("g"))
+    # w and g mean what they are only with the way of scattering that they were fitted with.
+    layer, added = dusted(brdf, dust.get("w"), dust.get("g"), above.whole.options().get("scattering"))
     trend = stretched(source.trends[above.depth.name], interval, observed)
     moved, _ = carried(trend, 0.0, 0.0, "absolute", (0.0, np.inf))
     notes.append("a layer of dust was laid over the target" if added else "the target's own dust was replaced")
-    notes.append("tau, w and g as in the source; the base does not change")
+    notes += ["tau, w and g as in the source; the base does not change", *scattered(layer)]
     return Aged(layer.whole, {layer.depth.name: moved}, notes)

@@ -19,6 +19,7 @@ def age(
     hours: float | None = None,
     given: Literal["start", "end"] | None = None,
     dust: str | None = None,
+    scattering: Literal["single", "multiple"] | None = None,
     set: Annotated[tuple[str, ...], Parameter(negative="")] = (),
     output: Annotated[str | None, Parameter(name=["--output", "-o"])] = None,
     common: Common = Common(),  # noqa: B008 (an immutable value)
@@ -44,6 +45,9 @@ def age(
     dust
         What the dust is made of, for w and g by published optics: desert, desert_coarse, sahara, mountain, soil, soot, volcanic_ash, mars or
         snow.
+    scattering
+        How light goes in the dust: as often as it is scattered ("multiple"), or once as in the source ("single"). By default that of the layer
+        that is there, else multiple.
     set
         NAME=VALUE: an option of the phenomenon, such as tau_growth=1; repeat for more.
     output
@@ -58,7 +62,7 @@ def age(
     from motes.models.dust_optics import dust_optics
 
     options = numbers(set, "--set")
-    clash = [name for name in ("hours", "source", "given") if name in options]
+    clash = [name for name in ("hours", "source", "given", "scattering") if name in options]
     if clash:
         raise MotesError(f"--set {clash[0]} is not an option of a phenomenon", f"Write --{clash[0]} instead")
     source = None if from_ is None else paths.material_of(from_)
@@ -71,6 +75,8 @@ def age(
         if other:
             raise MotesError(f"both --dust and {other} say what the dust is", "Give one of them")
         options["w"], options["g"] = optics.values(target.channels, target.wavelengths)
+    if scattering is not None:
+        options["scattering"] = scattering
     aged = happen(target, phenomenon, hours=hours, source=source, given=given, **options)
     file = Path(output) if output is not None else Path(f"{paths.slug(aged.name)}.json")
     if file.is_dir():

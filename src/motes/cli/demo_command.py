@@ -23,7 +23,8 @@ def demo(
     """Simulate a dusty drying plaster, fit it over time, and write a report; nothing is downloaded.
 
     The twelve scans go to OUTPUT/plaster in the format of the TVBRDF database, the results of the fit to OUTPUT. The
-    tables show the truth beside what was found. Exit status as of motes fit.
+    tables show the truth beside what was found. In its dust light is scattered once, as in the paper whose models these are, so that
+    fits by them can find the truth. Exit status as of motes fit.
 
     Parameters
     ----------
@@ -40,7 +41,14 @@ def demo(
     _simulate(plaster, common)
     measurement = load_measurement(str(plaster), Reading(), common)
     if not (common.quiet or common.json):
-        console.print_facts([("simulated", f"{plaster}/: {measurement.n_times} scans of a drying plaster, 2 % noise")])
+        console.print_facts(
+            [
+                (
+                    "simulated",
+                    f"{plaster}/: {measurement.n_times} scans of a drying plaster, 2 % noise; light is scattered in its dust once",
+                )
+            ]
+        )
     truth = true_trends(float(measurement.times[-1])) if time is None else _at(measurement.times, time)
     return fit_and_write(measurement, time, folder, True, {}, common, truth)
 

@@ -23,6 +23,7 @@ def render(
     set: Annotated[tuple[str, ...], Parameter(negative="")] = (),
     up: str = "y",
     wind: str | None = None,
+    scattering: Literal["single", "multiple"] | None = None,
     compare: str | None = None,
     model: Annotated[str, Parameter(name=["--model", "-m"])] = "oren_nayar + torrance_sparrow",
     size: str | None = None,
@@ -61,6 +62,8 @@ def render(
         Of a mesh: x, y, z, -x, -y, -z or three numbers.
     wind
         The direction that wind comes from, for --deposit.
+    scattering
+        How light goes in dust that is laid over a material without: "multiple" when not given, or "single", the source's.
     compare
         An RGL (.bsdf) or MERL (.binary) file, shown beside the materials, or beside its fit when none is given.
     model
@@ -134,6 +137,7 @@ def render(
                 look=look,
                 hours=hours,
                 settling=settling,
+                scattering=scattering,
                 measured=measured,
                 tone=tone,
                 exposure=exposure,

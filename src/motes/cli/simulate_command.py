@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Any
+from functools import partial
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
 
@@ -20,6 +21,7 @@ def simulate(
     model: Annotated[str | None, Parameter(name=["--model", "-m"])] = None,
     phenomenon: str | None = None,
     set: Annotated[tuple[str, ...], Parameter(negative="")] = (),
+    scattering: Literal["single", "multiple"] | None = None,
     scans: Whole = 12,
     hours: float = 6.0,
     noise: float = 0.02,
@@ -52,6 +54,8 @@ def simulate(
         given.
     set
         NAME=VALUE: an option of the phenomenon, such as tau_growth=1; repeat for more.
+    scattering
+        How light goes in the dust of the phenomenon, or on the plaster: "multiple" when not given, or once as in the source, "single".
     scans
         How many scans.
     hours
@@ -74,12 +78,18 @@ def simulate(
     from motes.errors import MotesError
 
     if folder.rstrip("/").endswith(".zarr"):
-        given = {"--material": material, "--model": model, "--phenomenon": phenomenon, "--set": set or None}
+        given = {
+            "--material": material,
+            "--model": model,
+            "--phenomenon": phenomenon,
+            "--set": set or None,
+            "--scattering": scattering,
+        }
         return _simulate_map(folder, size, scans, hours, noise, seed, [o for o, v in given.items() if v], common)
     if size is not None:
         raise MotesError("--size is for maps", "Give a folder whose name ends in .zarr")
-    surface, name, process = _surface(material, model, phenomenon, numbers(set, "--set"), hours)
-    rig = Rig(step_deg=step_deg, irradiance=irradiance)
+    surface, name, process = _surface(material, model, phenomenon, numbers(set, "--set"), scattering, hours)
+    rig, dust = Rig(step_deg=step_deg, irradiance=irradiance), _scattering(surface)
     with console.progress(common, "simulating") as step:
         measure(
             folder,
@@ -99,6 +109,7 @@ def simulate(
             "folder": folder,
             "name": name,
             "process": process,
+            "scattering": dust,
             "scans": scans,
             "cameras": len(rig.wo),
             "records": records,
@@ -108,7 +119,7 @@ def simulate(
         console.print_json(facts)
     elif not common.quiet:
         rows = [
-            ("surface", name),
+            ("surface", name if dust is None else f"{name}; light in its dust: {dust} scattering"),
             ("written", f"{folder}/: {scans} scan(s) over {hours:g} h, {len(rig.wo)} cameras, {records} records"),
             ("next", f"motes fit {folder}"),
         ]
@@ -117,7 +128,12 @@ def simulate(
 
 
 def _surface(
-    material: str | None, model: str | None, phenomenon: str | None, options: dict[str, Any], hours: float
+    material: str | None,
+    model: str | None,
+    phenomenon: str | None,
+    options: dict[str, Any],
+    scattering: str | None,
+    hours: float,
 ) -> tuple[Surface, str, str]:
     """What is measured, its name, and the process it goes through."""
     from motes.cli.paths import material_of
@@ -145,12 +161,29 @@ def _surface(
 
         what = named(phenomenon)
         surface = given if isinstance(given, (Material, BRDF)) else what.base
+        if scattering is not None:
+            options = {**options, "scattering": scattering}
         return what(surface, hours=hours, **options), name or what.base.name, what.name.replace("_", " ")
     if given is not None:
+        if scattering is not None:
+            raise MotesError(
+                f"--scattering {scattering} was given without dust that settles",
+                "Add --phenomenon dust, or write dust_layer(..., scattering=...) in the model",
+            )
         return given, name, "unchanged"
     from motes.ageing import drying_plaster
 
-    return drying_plaster, "dusty plaster", "drying"
+    return partial(drying_plaster, scattering=scattering or "multiple"), "dusty plaster", "drying"
+
+
+def _scattering(surface: Surface) -> str | None:
+    """How light goes in the dust on top of a surface; None where there is none."""
+    from motes.material import Material
+    from motes.models import BRDF, layer_of
+
+    brdf = surface.brdf if isinstance(surface, Material) else surface if isinstance(surface, BRDF) else surface(0.0)
+    layer = layer_of(brdf)
+    return None if layer is None else layer.whole.options().get("scattering")
 
 
 def _simulate_map(

@@ -73,6 +73,7 @@ def render(
     look: Look | None = None,
     hours: Sequence[float] | None = None,
     settling: Mapping[str, Any] | None = None,
+    scattering: str | None = None,
     measured: str | os.PathLike[str] | None = None,
     tone: str = "neutral",
     exposure: float = 0.0,
@@ -95,6 +96,8 @@ def render(
         Times [h].  By default 0 for a picture; for a film 48 steps over the time in which the materials change.
     settling
         Keyword arguments of `deposit`, for dust that lies where it settles; see `stage`.
+    scattering
+        ``"single"`` or ``"multiple"`` (where not given), of dust over a material that has none.
     measured
         An RGL or MERL file, shown first.
     tone, exposure
@@ -134,7 +137,8 @@ def render(
     tonemap.picture(np.zeros((1, 1, 3)), tone, exposure)  # says what is wrong with these before the work
     with tempfile.TemporaryDirectory(prefix="motes-") as work:
         span = (min(times), max(times))
-        stages = [stage(m, look, Path(work), hours=span, settling=settling, progress=progress) for m in materials]
+        dust: dict[str, Any] = {"settling": settling, "scattering": scattering}
+        stages = [stage(m, look, Path(work), hours=span, progress=progress, **dust) for m in materials]
         names = [m.name for m in materials]
         if measured is not None:
             stages.insert(0, measured_stage(measured, look))
@@ -145,6 +149,7 @@ def render(
             "hours": list(times),
             "look": [repr(look), *(digest_of(p) for p in (look.scene, look.env, measured))],
             "settling": repr(settling and {k: v for k, v in settling.items() if k != "progress"}),
+            "scattering": scattering,
             "versions": _versions(),
         }
         folder = films.frames_folder(target, settings)

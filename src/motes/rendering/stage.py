@@ -40,6 +40,7 @@ def stage(
     *,
     hours: tuple[float, float] = (0.0, 24.0),
     settling: Mapping[str, Any] | None = None,
+    scattering: str | None = None,
     progress: Progress | None = None,
 ) -> Stage:
     """A material on its stage.
@@ -57,6 +58,8 @@ def stage(
     settling
         Keyword arguments of `motes.rendering.deposition.deposit`: dust then lies where it would settle.  None leaves a layer of dust even, except on a mesh
         whose file holds ``tau``, which is used.
+    scattering
+        ``"single"`` or ``"multiple"``, of dust that is laid over a material that has none; multiple where not given.
     progress
         Called with (done, total, what) while rays are traced.
 
@@ -85,11 +88,13 @@ def stage(
         notes.append(f"dust lies as {item.name} says: tau up to {own.max():.3g}")
     dusty = share is not None or own is not None
     if dusty and layer_of(material.brdf) is None:
-        material = age(material, "dust", hours=_gathering(hours))
+        material = age(material, "dust", hours=_gathering(hours), scattering=scattering)
         grown = (
             "" if own is not None else f", tau to {open_tau(hours[1] / HOURS_A_DAY, material=material):.3g} in the open"
         )
-        notes.append(f"the material has no dust; that of the phenomenon lies on it{grown}")
+        notes.append(
+            f"the material has no dust; that of the phenomenon lies on it{grown}; {scattering or 'multiple'} scattering"
+        )
     file, layer = _saved(material, folder), layer_of(material.brdf)
 
     def described(time: float) -> dict[str, Any]:
