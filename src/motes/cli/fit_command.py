@@ -23,6 +23,7 @@ def fit(
     time: MaybeWhole = None,
     trend: Annotated[tuple[str, ...], Parameter(negative="")] = (),
     max_theta_deg: float | None = None,
+    scale: str | None = None,
     output: Annotated[str | None, Parameter(name=["--output", "-o"])] = None,
     report: Annotated[bool, Parameter(name="--report")] = True,
     workers: MaybeWhole = None,
@@ -71,6 +72,9 @@ def fit(
         monotone_spline); repeat for more. The others are chosen by BIC.
     max_theta_deg
         Leave out samples with theta_i or theta_r beyond this [degrees].
+    scale
+        What the data are divided by, 1 where they are a BRDF in 1/sr; "fit" where nobody knows it: it becomes a parameter, and K_d stays at 1 or
+        below. Not of maps.
     output
         The folder of the results; motes-NAME when not given.
     report
@@ -109,6 +113,11 @@ def fit(
             f"--max-theta-deg {max_theta_deg:g} is outside (0, 90] degrees", "80 leaves out grazing angles"
         )
     if is_map(data):
+        if scale is not None:
+            raise MotesError(
+                "--scale is for measurements, and this is a map",
+                "Divide by it when the map is made: exposure of motes stack",
+            )
         from motes.cli.fitting_maps import fit_map
 
         return fit_map(
@@ -153,6 +162,7 @@ def fit(
         "fixed": held,
         "per_channel": per_channel,
         "max_theta": None if max_theta_deg is None else math.radians(max_theta_deg),
+        "scale": 1.0 if scale is None else _scale(scale),
     }
     return fit_and_write(measurement, time, folder, report, options, common, kinds=kinds)
 
@@ -164,3 +174,15 @@ def _only_for_maps(**options: Any) -> None:
     for name, value in options.items():
         if value is not None:
             raise MotesError(f"--{name} is for maps, and this is not a Zarr store", "Leave it out")
+
+
+def _scale(text: str) -> float | str:
+    """``fit``, or a number."""
+    from motes.errors import MotesError
+
+    if text == "fit":
+        return text
+    try:
+        return float(text)
+    except ValueError:
+        raise MotesError(f"--scale {text!r} is not a number, or fit", "Write --scale 3.1416, or --scale fit") from None

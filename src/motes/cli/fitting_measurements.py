@@ -148,7 +148,7 @@ def _show(
     from motes.cli.printed_tables import parameter_table, verdict_notes
 
     one, n = result.measurement, measurement.n_times
-    rows = [("data", f"{measurement.name}: {_size(one)}"), *_taken_for(measurement)]
+    rows = [("data", f"{measurement.name}: {_size(one)}"), *_taken_for(one)]
     if n > 1:
         at = "" if measurement.time_unit == "scan" else f" (at {measurement.times[index]:.4g} {measurement.time_unit})"
         rows.append(("time", f"{index}{at} of {n}, 0 to {n - 1}; {why}"))
@@ -188,12 +188,14 @@ def _show_trends(result: TimeFit, truth: dict[str, Any] | None, written: list[Ro
 
 
 def _taken_for(data: Measurement) -> list[Row]:
-    """What the columns of a table were taken for, and that simulated data are simulated."""
-    from motes.measurements.origin import not_measured
+    """What the columns of a table were taken for, what the data were divided by, and that simulated data are simulated."""
+    from motes.measurements.origin import not_measured, over_scale
 
     columns = data.provenance.get("columns")
-    said = not_measured(data.provenance)
+    said, scale = not_measured(data.provenance), over_scale(data.provenance)
     rows = [("columns", "; ".join(map(str, columns)))] if columns else []
+    if scale:
+        rows.append(("scale", f"the data, {scale}"))
     return [*rows, *([("source", said)] if said else [])]
 
 

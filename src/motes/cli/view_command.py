@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -146,6 +147,8 @@ def _own_data(fitted: dict[str, Any] | None, notes: list[str]) -> Measurement | 
         return None
     if not isinstance(found, Measurement):
         return None
+    if isinstance(scale := about.get("scale"), float) and 0 < scale < math.inf:
+        found = found.rescaled(scale)
     times = about.get("times")
     if isinstance(times, list) and len(times) < found.n_times:  # one scan of several was fitted
         index = [k for k, t in enumerate(found.times) if t in times]

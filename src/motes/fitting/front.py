@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from motes.directions import HALF_PI
 from motes.errors import DataError
+from motes.fitting import scaled
 from motes.fitting.losses import loss_named, robust_named
 from motes.fitting.over_time import fit_over_time
 from motes.fitting.result import Fit, Progress
@@ -31,6 +33,7 @@ def fit(
     fixed: Collection[str] | Mapping[str, Any] = (),
     per_channel: Collection[str] = (),
     max_theta: float | None = None,
+    scale: float | str = 1.0,
     time: int | None = None,
     trends: str | Mapping[str, str] = "auto",
     progress: Progress | None = None,
@@ -62,6 +65,10 @@ def fit(
     max_theta
         Leave out samples with theta_i or theta_r beyond this [rad]; goniometers are least sure there (Ngan et al. 2005
         stopped at 80 degrees).
+    scale
+        What the data are divided by before all else: 1 where they are a BRDF in 1/sr.  ``"fit"`` where nobody knows: it is a parameter of the
+        fit then, ``scale``, and K_d stays at 1 or below.  Of several times it is fitted to three scans, and its error is one that
+        all samples share.
     time
         Which of the measurement's times to fit alone; None for all of them, with trends.
     trends
@@ -77,7 +84,7 @@ def fit(
     Raises
     ------
     DataError
-        When fewer samples are left than parameters, or the data have no such time.
+        When fewer samples are left than parameters, the data have no such time, or do not tell a scale that is to be fitted.
     ParameterError
         When the model or a name in it is not known.
     """
@@ -102,6 +109,10 @@ def fit(
         within = np.minimum(data.wi[:, 2], data.wo[:, 2]) >= math.cos(max_theta)
         data = data.with_mask(within[None, :, None], f"theta beyond {math.degrees(max_theta):.3g} degrees")
     loss_named(loss), robust_named(robust)
+    if isinstance(scale, str) and scale != scaled.FREE:
+        raise DataError(f"scale {scale!r} is not 'fit' or a number", "Give what the data are divided by, or 'fit'")
+    if not isinstance(scale, str) and scale != 1.0:
+        data = scaled.known(data, scale)
     uncertainties = uncertainties_of(data, weights)
     if uncertainties is not None and not np.isfinite(uncertainties).all():
         data = data.with_mask(np.isfinite(uncertainties), "uncertainty unknown")
@@ -109,6 +120,12 @@ def fit(
     fixed = (fixed,) if isinstance(fixed, str) else fixed
     per_channel = (per_channel,) if isinstance(per_channel, str) else per_channel
     wishes = Wishes(loss, robust, weights, fixed, per_channel)
+    if scale == scaled.FREE:
+        free = replace(wishes, free_scale=True)
+        data = scaled.middling(data)
+        if data.n_times == 1:
+            return fit_scan(data, model, free, progress)
+        data = scaled.of_scans(data, lambda scan: fit_scan(scan, model, free))
     if data.n_times > 1:
         return fit_over_time(data, model, wishes, trends, progress)
     return fit_scan(data, model, wishes, progress)

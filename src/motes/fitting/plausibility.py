@@ -33,7 +33,7 @@ SCATTER = (0.3, 3.0)  # reduced chi-square that uncertainties and residuals agre
 def implausible_fit(fit: Fit | TimeFit) -> tuple[str, ...]:
     """What is odd about a fit, the most important first; empty when nothing is."""
     found: list[str] = []
-    for check in (_poor, _beyond, _albedo, _backward, _unseen_roughness, _chi_square):
+    for check in (_poor, _untold_scale, _beyond, _albedo, _backward, _unseen_roughness, _chi_square):
         found += check(fit)
     return tuple(found)
 
@@ -47,6 +47,18 @@ def _poor(fit: Fit | TimeFit) -> list[str]:
     return [
         f"The model misses much of the measurement: relative RMS {size}. Its parameters and their errors describe the model and not the "
         f"surface.{other}"
+    ]
+
+
+def _untold_scale(fit: Fit | TimeFit) -> list[str]:
+    """A scale that was to be fitted, and that nothing in the data tells."""
+    scale = fit.parameters.get("scale") if isinstance(fit, Fit) else None
+    if scale is None or scale.verdict is not Verdict.UNIDENTIFIABLE:
+        return []
+    names = [slot.name for slot in fit.brdf.slots(Role.DIFFUSE_COLOUR, Role.HIGHLIGHT_STRENGTH)]
+    return [
+        f"The data do not tell their scale, so {' and '.join(names) or 'brightness'} {'are' if len(names) > 1 else 'is'} known up to a factor only. "
+        "Where it is known, write it: --scale 3 divides the data by 3."
     ]
 
 
@@ -76,10 +88,10 @@ def _beyond(fit: Fit | TimeFit) -> list[str]:
             t, c = (int(k) for k in np.unravel_index(np.nanargmax(excess), value.shape))
             channels = fit.material.channels
             label = f"{name}[{channels[c]}]" if value.shape[1] == len(channels) > 1 else name
-            also = [slot.name for slot in fit.brdf.slots(Role.DIFFUSE_ROUGHNESS)] if role is Role.DIFFUSE_COLOUR else []
+            rough = [slot.name for slot in fit.brdf.slots(Role.DIFFUSE_ROUGHNESS)]
             biased = (
-                f" A wrong scale makes {also[0]} wrong, too: light between facets goes with the square of {name}."
-                if also
+                f" If their scale is wrong, so is {rough[0]}, for light between facets goes with the square of {name}: --scale fit finds it."
+                if rough and role is Role.DIFFUSE_COLOUR
                 else ""
             )
             found.append(

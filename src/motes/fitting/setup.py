@@ -13,6 +13,7 @@ from motes.errors import DataError, MotesError
 from motes.fitting.losses import LOSSES, ROBUST, Floats, Loss
 from motes.fitting.problem import Problem
 from motes.fitting.quantities import Quantity, layout
+from motes.fitting.scaled import Scaled, physical
 from motes.measurements import Measurement
 from motes.measurements.policy import LARGEST
 from motes.models import BRDF, describe, parse
@@ -27,6 +28,7 @@ class Wishes:
     weights: str | ArrayLike
     fixed: Collection[str] | Mapping[str, Any]
     per_channel: Collection[str]
+    free_scale: bool = False
 
 
 class Fitted(NamedTuple):
@@ -78,6 +80,10 @@ def fitted_of(
 def prepare(data: Measurement, model: str | BRDF, wishes: Wishes, lenient: bool = False) -> Setup:
     """The problem of fitting `model` to `data`: with values (N, C) for one time, (T, N, C) for several."""
     brdf, quantities, held = fitted_of(model, data.n_channels, wishes.fixed, wishes.per_channel, lenient)
+    shape = brdf
+    if wishes.free_scale:
+        shape = Scaled(brdf)
+        quantities = tuple(map(physical, layout(shape, data.n_channels, held, frozenset(wishes.per_channel))))
     loss = LOSSES[wishes.loss]
     full, factor = sample_weights(data, wishes.weights, loss)
     used: Any = full.any(axis=(0, 2))
@@ -98,7 +104,7 @@ def prepare(data: Measurement, model: str | BRDF, wishes: Wishes, lenient: bool 
         )
     single = data.n_times == 1
     problem = Problem(
-        model=brdf,
+        model=shape,
         quantities=quantities,
         fixed={
             slot.name: _held_value(slot.value, slot.parameter.per_channel, data.n_channels)
@@ -111,7 +117,7 @@ def prepare(data: Measurement, model: str | BRDF, wishes: Wishes, lenient: bool 
         weights=full[0] if single else full,
         loss=loss,
         robust=ROBUST["none"],
-        common=data.common_uncertainty or 0.0,
+        common=0.0 if wishes.free_scale else data.common_uncertainty or 0.0,
     )
     return Setup(brdf, model if isinstance(model, BRDF) else None, problem, factor)
 

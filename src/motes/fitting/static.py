@@ -19,6 +19,7 @@ from motes.fitting.metrics import chi_square, deviation, distances, relative_rms
 from motes.fitting.plausibility import implausible_fit
 from motes.fitting.problem import Problem, even_channels
 from motes.fitting.result import Fit, FittedParameter, Progress, Trial
+from motes.fitting.scaled import NAME, Scaled, in_units
 from motes.fitting.setup import Wishes, prepare, sample_weights
 from motes.fitting.solver import Solution
 from motes.fitting.starts import starting_points
@@ -124,7 +125,7 @@ class _Attempt:
         """The values of a BRDF as a parameter vector; None when their shapes do not fit the data."""
         values, x = start.parameters, np.empty(self.problem.size)
         for q in self.problem.quantities:
-            value = np.asarray(values[q.name], float)
+            value = np.asarray(values.get(q.name, q.parameter.default), float)
             if value.ndim and not (q.per_channel and value.shape in ((1,), (self.problem.channels,))):
                 value = value.mean()
             x[q.where] = q.coordinate(value)
@@ -170,11 +171,11 @@ class _Attempt:
     def status(self) -> Status:
         return self.solution.status[self.solution.best()]
 
-    def metrics(self) -> dict[str, float]:
-        mask = self.data.mask[0]
-        cosines = np.broadcast_to(self.data.wi[:, 2:3], mask.shape)[mask]
+    def metrics(self, data: Measurement, predicted: Floats) -> dict[str, float]:
+        mask = data.mask[0]
+        cosines = np.broadcast_to(data.wi[:, 2:3], mask.shape)[mask]
         return (
-            distances(self.predicted[mask], self.data.values[0][mask], cosines)
+            distances(predicted[mask], data.values[0][mask], cosines)
             | {
                 "objective": self.objective,
                 "bic": self.bic,
@@ -202,21 +203,22 @@ class _Attempt:
         )
 
     def fitted_brdf(self) -> BRDF:
+        """The BRDF, `Scaled` where the scale of the data was fitted."""
         values = {
             q.name: (q.value(self.x[q.where]) if q.per_channel else float(q.value(self.x[q.where])[0]))
             for q in self.problem.quantities
         }
-        return self.brdf.with_parameters(values)
+        return self.problem.model.with_parameters(values)
 
     def result(self, tried: tuple[Trial, ...], started: float) -> Fit:
         errors = uncertainty(self.problem, self.x)
-        brdf = self.fitted_brdf()
-        where = {q.name: (q.where, q.per_channel) for q in self.problem.quantities}
+        found = self.fitted_brdf()
+        where = {q.name: q for q in self.problem.quantities}
         parameters = {}
-        for slot in brdf.slots():
+        for slot in found.slots():
             p = slot.parameter
             if slot.name in where:
-                at, own = where[slot.name]
+                _, p, own, at = where[slot.name]
                 stderr: Any = errors.stderr[at] if own else float(errors.stderr[at][0])
                 verdicts = tuple(errors.verdicts[at])
             else:
@@ -225,8 +227,11 @@ class _Attempt:
             parameters[slot.name] = FittedParameter(
                 slot.name, slot.value, stderr, verdicts, p.symbol, p.unit, p.doc, p.fit_bounds
             )
-        metrics = self.metrics()
-        data = self.data
+        covariance, data, predicted, brdf = errors.covariance, self.data, self.predicted, found
+        if isinstance(found, Scaled):
+            parameters[NAME], covariance, data = in_units(parameters[NAME], covariance, data)
+            brdf, predicted = found.base, predicted / float(found.scale)
+        metrics = self.metrics(data, predicted)
         about = {
             "data": {k: v for k, v in data.provenance.items() if isinstance(v, (str, int, float, bool))},
             "loss": self.wishes.loss,
@@ -244,13 +249,13 @@ class _Attempt:
             parameters=parameters,
             labels=self.problem.labels(data.channels),
             correlations=errors.correlations,
-            covariance=errors.covariance,
+            covariance=covariance,
             metrics=metrics,
             status=self.status,
             tried=tried,
             findings=(),
             measurement=data,
-            predicted=self.predicted,
+            predicted=predicted,
             loss=self.wishes.loss,
             robust=self.wishes.robust,
             model_text=describe(self.brdf),

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from motes import directions
-from motes.errors import DataError, MissingExtraError
-from motes.measurements import policy
+from motes.errors import DataError
+from motes.measurements import _xarray, policy
 from motes.measurements._facts import counted, extent, plain, uncertainty_facts
 from motes.measurements._given import broadcast_mask, channel_names, deviations, numbers, samples, share, some
 
@@ -302,6 +302,29 @@ class Measurement:
             common_uncertainty=self.common_uncertainty if common is None else share(common),
         )
 
+    def rescaled(self, scale: float, stderr: float | None = None) -> Self:
+        """The same measurement with its values divided by a scale, which its provenance says (that of all such calls together).
+
+        Parameters
+        ----------
+        scale
+            What the values are to be divided by, above 0: 1 where they are a BRDF in 1/sr.
+        stderr
+            One standard error of it, where it was fitted.
+        """
+        if not (np.isfinite(scale) and scale > 0):
+            raise DataError(f"scale = {scale:g} is not above 0", "It is what the values are divided by")
+        before = float(self.provenance.get("scale", 1.0))
+        said: dict[str, Any] = {"scale": before * scale}
+        if stderr is not None:
+            said["scale_stderr"] = before * stderr
+        return replace(
+            self,
+            values=self.values / scale,
+            uncertainties=None if self.uncertainties is None else self.uncertainties / scale,
+            provenance={**self.provenance, **said},
+        )
+
     def with_mask(self, extra_mask: ArrayLike, reason: str) -> Self:
         """The same measurement with more samples masked.
 
@@ -321,41 +344,7 @@ class Measurement:
 
     def to_xarray(self) -> Any:
         """An `xarray.Dataset` with the dimensions time, direction, channel (and xyz for the vectors)."""
-        try:
-            import xarray
-        except ImportError:
-            raise MissingExtraError("xarray", "xarray", "Measurement.to_xarray") from None
-        dataset = xarray.Dataset(
-            {
-                "f_r": (
-                    ("time", "direction", "channel"),
-                    self.values,
-                    {"units": "1/sr", "long_name": "BRDF without the cosine"},
-                ),
-                "mask": (("time", "direction", "channel"), self.mask, {"long_name": "usable"}),
-                "weight": (("direction",), self.weights, {"long_name": "relative solid angle"}),
-                "wi": (("direction", "xyz"), self.wi, {"long_name": "to the light"}),
-                "wo": (("direction", "xyz"), self.wo, {"long_name": "to the viewer"}),
-            },
-            coords={
-                "time": ("time", self.times, {"units": self.time_unit}),
-                "channel": list(self.channels),
-                "xyz": ["x", "y", "z"],
-            },
-            attrs={
-                "name": self.name,
-                "format": str(self.provenance.get("format", "")),
-                "notes": "; ".join(self.provenance.get("notes", ())),
-            },
-        )
-        if self.uncertainties is not None:
-            about = {"units": "1/sr", "long_name": "standard uncertainty of f_r"}
-            dataset = dataset.assign(f_r_uncertainty=(("time", "direction", "channel"), self.uncertainties, about))
-        if self.common_uncertainty is not None:
-            dataset.attrs["common_uncertainty"] = self.common_uncertainty
-        if self.wavelengths is not None:
-            dataset = dataset.assign_coords(wavelength=("channel", self.wavelengths, {"units": "nm"}))
-        return dataset
+        return _xarray.dataset(self)
 
     def summary(self) -> dict[str, Any]:
         """What ``motes info`` prints: sizes, ranges, what was masked and why, provenance.  Plain JSON types."""

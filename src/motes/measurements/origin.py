@@ -35,3 +35,25 @@ def not_measured(about: Mapping[str, Any] | None) -> str:
     if not (about.get("simulated") or is_simulated(source)):
         return ""
     return f"The data are not measured: {source.strip().rstrip('.') or SIMULATED}."
+
+
+def over_scale(about: Mapping[str, Any] | None) -> str:
+    """What the values of a file were divided by, in words; empty where they are as they were.
+
+    Parameters
+    ----------
+    about
+        The provenance of a measurement; see `Measurement.rescaled`.
+
+    Examples
+    --------
+    >>> over_scale({"scale": 3.0})
+    'divided by 3'
+    >>> over_scale({"scale": 2.996, "scale_stderr": 0.08})
+    'divided by 2.996 ± 0.08, which was fitted'
+    """
+    scale, error = ((about or {}).get(name) for name in ("scale", "scale_stderr"))
+    if not isinstance(scale, (int, float)):
+        return ""
+    fitted = f" ± {error:.2g}, which was fitted" if isinstance(error, (int, float)) else ""
+    return f"divided by {scale:.4g}{fitted}"

@@ -16,6 +16,7 @@ from motes.fitting.losses import LOSSES
 from motes.fitting.result import Fit, FittedParameter
 from motes.fitting.verdicts import Verdict
 from motes.material import Material
+from motes.measurements.origin import over_scale
 from motes.report import plots, residuals
 from motes.report.figures import Shown
 from motes.report.findings import count, percent
@@ -308,6 +309,8 @@ def provenance(context: Context) -> Html:
     pairs: list[tuple[str, object]] = [
         (name, about[name]) for name in ("format", "path", "sample", "source") if about.get(name) not in (None, "")
     ]
+    if scale := over_scale(about):
+        pairs.append(("scale", f"the values of the file, {scale}"))
     pairs.append(("directions", f"{data.n_directions:,}"))
     channels = ", ".join(data.channels[:8]) + (
         f", … {data.channels[-1]} ({data.n_channels})" if data.n_channels > 8 else ""
