@@ -60,7 +60,7 @@ def _judged(name: str, slopes: Slopes, tolerance: float) -> tuple[float, Finding
             f"The derivative by {name} is no finite number at {share(part)} of the pairs",
             "Is a root or an arc cosine differentiated where its slope is infinite, or a branch that is not taken?",
         )
-    scale = float(np.max(np.abs(wanted)))
+    scale = max(float(np.max(np.abs(wanted))), slopes.noise / tolerance)
     if scale == 0:
         scale = float(np.max(np.abs(said))) or 1.0
     error = np.abs(said - wanted) / scale

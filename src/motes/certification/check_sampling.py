@@ -96,6 +96,8 @@ class _Run:
 
     def chance(self, shares: Floats) -> tuple[float, float, int]:
         """The chance of so bad an agreement, the statistic, its degrees of freedom."""
+        if not np.all(shares >= -1e-12):  # a mended density that is none
+            return 0.0, float("inf"), 1
         expected = SAMPLES * np.append(shares, max(1 - shares.sum(), 1e-6 / SAMPLES))
         statistic, freedom = chi_square(np.append(self.counts, self.lost), expected)
         return (survival(statistic, freedom) if freedom else 1.0), statistic, freedom
@@ -143,9 +145,10 @@ def _run(specimen: Specimen, wi: Floats, k: int) -> _Run | None:
     first = specimen.sample(wi, np.random.default_rng(100 + k).random((SAMPLES, 2)))
     drawn = specimen.sample(wi, np.random.default_rng(200 + k).random((SAMPLES, 2)))
     seen = first.wo[_smooth(first)]
-    if np.count_nonzero(seen[:, 2] > 0) < 200:
+    lowest = -1.0 if specimen.transmits else 0.0
+    if np.count_nonzero(seen[:, 2] > lowest) < 200:
         return None
-    bins = Bins.of(seen)
+    bins = Bins.of(seen, lowest=lowest)
     density = specimen.pdf
 
     def shaped(wo: Floats) -> Floats:
@@ -214,6 +217,9 @@ def _rival(
         swapped.append(run.chance(run.bins.integrate(turned))[0])
     if all(p > level for p in swapped):
         return "pdf-swapped", "With wi and wo exchanged it is right: are they swapped in the density?"
+    if (empty := max(_empty(run) for run in runs)) > 1e-3:
+        why = f"It is 0 at {share(empty)} of the samples of an angle: does it leave directions out (by a test of sides) that the sampling keeps?"
+        return "samples-without-density", why
     if all(abs(run.shares.sum() - run.counts.sum() / SAMPLES) < 0.03 for run in runs):
         return (
             "shape-of-pdf",
@@ -222,22 +228,32 @@ def _rival(
     return "pdf", "No known factor mends it."
 
 
+def _empty(run: _Run) -> float:
+    """The share of samples whose direction has no density by itself."""
+    wo = run.drawn.wo[_smooth(run.drawn)]
+    return float(np.mean(run.density(wo[wo[:, 2] > run.bins.z[0]]) <= 0))
+
+
+def _off_horizon(specimen: Specimen, wo: Floats) -> NDArray[np.bool_]:
+    return np.asarray((np.abs(wo[:, 2]) if specimen.transmits else wo[:, 2]) > 1e-3)
+
+
 def _weights(specimen: Specimen, runs: list[_Run]) -> Finding | None:
     """Whether the weight of each sample is f cos / pdf of the sample's own density."""
     ratios, cosines, densities = [], [], []
     for run in runs:
         drawn = run.drawn
-        good = _smooth(drawn) & (drawn.wo[:, 2] > 1e-3) & (drawn.pdf > 0)
+        good = _smooth(drawn) & _off_horizon(specimen, drawn.wo) & (drawn.pdf > 0)
         if drawn.weight is None or not good.any():
             continue
         rows = np.flatnonzero(good)[:4000]
         wo, pdf = drawn.wo[rows], drawn.pdf[rows]
-        expected = specimen.eval(np.broadcast_to(run.wi, wo.shape), wo) * wo[:, 2:] / pdf[:, None]
+        expected = specimen.eval(np.broadcast_to(run.wi, wo.shape), wo) * np.abs(wo[:, 2:]) / pdf[:, None]
         bright = np.argmax(expected, axis=1)
         pick = np.arange(len(rows)), bright
         usable = expected[pick] > 1e-6
         ratios.append(drawn.weight[rows][pick][usable] / expected[pick][usable])
-        cosines.append(wo[usable, 2])
+        cosines.append(np.abs(wo[usable, 2]))
         densities.append(pdf[usable])
     if not ratios or not len(ratio := np.concatenate(ratios)):
         return None
@@ -269,7 +285,7 @@ def _same(runs: list[_Run], specimen: Specimen) -> Finding | None:
     assert specimen.pdf is not None
     off = []
     for run in runs:
-        good = _smooth(run.drawn) & (run.drawn.wo[:, 2] > 1e-3)
+        good = _smooth(run.drawn) & _off_horizon(specimen, run.drawn.wo)
         wo = run.drawn.wo[good][:4000]
         asked, came = specimen.pdf(np.broadcast_to(run.wi, wo.shape), wo), run.drawn.pdf[good][:4000]
         off.append(np.abs(asked - came) > (2e-2 if specimen.single else 1e-3) * np.maximum(asked, came))
@@ -286,7 +302,11 @@ def _same(runs: list[_Run], specimen: Specimen) -> Finding | None:
 
 def _picture(run: _Run, rows: int = 24, columns: int = 48) -> dict[str, object]:
     """Counts and expectations on a coarse grid of (cos(theta_r), phi), for people."""
-    z, phi = np.linspace(0, 1, rows + 1), np.linspace(-np.pi, np.pi, columns + 1)
+    z, phi = np.linspace(0 if run.bins.z[0] == 0 else -1, 1, rows + 1), np.linspace(-np.pi, np.pi, columns + 1)
     coarse = Bins(z, phi)
     counts = coarse.count(run.drawn.wo[_smooth(run.drawn)]).astype(int)
-    return {"counts": counts.tolist(), "expected": plain(SAMPLES * coarse.integrate(run.density), 4)}
+    return {
+        "lowest": float(z[0]),
+        "counts": counts.tolist(),
+        "expected": plain(SAMPLES * coarse.integrate(run.density), 4),
+    }

@@ -137,7 +137,9 @@ def _below(specimen: Specimen) -> Finding | None:
     """Light or viewer below the horizon: nothing comes from there, and nothing goes there."""
     a, b = upper(600, 5), upper(600, 6)
     flip = np.array([1.0, 1.0, -1.0])
-    sides = {"the viewer": (a, b * flip), "the light": (a * flip, b), "both": (a * flip, b * flip)}
+    sides = {"the viewer": (a, b * flip), "the light": (a * flip, b)}
+    if not specimen.both_sides:
+        sides["both"] = (a * flip, b * flip)
     found = {side: specimen.eval(*pair) for side, pair in sides.items()}
     lit = [side for side, values in found.items() if np.any(np.nan_to_num(values, nan=1.0) != 0)]
     if not lit or not np.any(np.nan_to_num(specimen.eval(a, b)) != 0):  # `_nothing` says more

@@ -60,19 +60,21 @@ class Bins:
     phi: Floats
 
     @classmethod
-    def of(cls, wo: Floats, n: int = 16) -> Bins:
-        """From the samples (N, 3) of a first draw."""
-        wo = wo[wo[:, 2] > 0]
+    def of(cls, wo: Floats, n: int = 16, lowest: float = 0.0) -> Bins:
+        """From the samples (N, 3) of a first draw; `lowest` is 0 for the hemisphere, -1 for the sphere."""
+        wo = wo[wo[:, 2] > lowest]
         tail = np.array([2e-4, 2e-3, 1e-2, 3e-2])  # a rule of few nodes does not see a narrow peak in a wide bin
         inner = np.concatenate([tail, np.linspace(0, 1, n + 1)[1:-1], 1 - tail])
         z, phi = wo[:, 2], np.arctan2(wo[:, 1], wo[:, 0])
-        z_edges = np.concatenate([np.quantile(z, inner), np.linspace(0, 1, 17)])  # and nowhere coarse
+        z_edges = np.concatenate(
+            [np.quantile(z, inner), np.linspace(lowest, 1, 17 if lowest == 0 else 33)]
+        )  # and nowhere coarse
         phi_edges = np.concatenate([np.quantile(phi, inner), np.linspace(-np.pi, np.pi, 25)])
         return cls(np.unique(z_edges), np.unique(phi_edges))
 
     def count(self, wo: Floats) -> Floats:
-        """How many of the samples (N, 3) lie in each bin; those below the horizon in none."""
-        wo = wo[wo[:, 2] > 0]
+        """How many of the samples (N, 3) lie in each bin; those below the lowest of them in none."""
+        wo = wo[wo[:, 2] > self.z[0]]
         return np.histogram2d(wo[:, 2], np.arctan2(wo[:, 1], wo[:, 0]), bins=(self.z, self.phi))[0]
 
     def integrate(self, density: Callable[[Floats], Floats], nodes: int = 8) -> Floats:

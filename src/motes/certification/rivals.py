@@ -102,7 +102,7 @@ def rivals(values: Floats, wi: Floats, wo: Floats, reference: Specimen) -> list[
                     changes = tuple(c for c in (parametric, place, order, factor) if c.name)
                     if len(changes) > 2:
                         continue
-                    found.append(_judged(values, base * of(ci, co), changes, parametric))
+                    found.append(_judged(values, base * of(ci, co), changes))
     found.sort(key=lambda rival: rival.residual)
     enough = 1.3 * found[0].residual + 1e-4
     return sorted(found, key=lambda rival: (rival.residual > enough, _cost(rival), rival.residual))
@@ -128,14 +128,14 @@ def constant(scale: float) -> tuple[str, str] | None:
     return None
 
 
-def _judged(values: Floats, predicted: Floats, changes: tuple[Change, ...], parametric: Change) -> Rival:
+def _judged(values: Floats, predicted: Floats, changes: tuple[Change, ...]) -> Rival:
     """With the constant that fits best, if that is better than none."""
+    values, predicted = np.broadcast_arrays(values, predicted)
     plain = distance(values, predicted)
     good = np.abs(predicted) > 1e-3 * np.median(np.abs(predicted))
-    if parametric.name.startswith("only-") or not good.any():
+    if not good.any():
         return Rival(changes, 1.0, plain)
-    ratio = values[np.broadcast_to(good, values.shape)] / np.broadcast_to(predicted, values.shape)[good]
-    scale = float(np.median(ratio))
+    scale = float(np.median(values[good] / predicted[good]))
     if not np.isfinite(scale) or scale <= 0 or abs(scale - 1) < 2e-3:
         return Rival(changes, 1.0, plain)
     scaled = distance(values, scale * predicted)

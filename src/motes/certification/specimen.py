@@ -28,10 +28,12 @@ class Drawn(NamedTuple):
 
 
 class Slopes(NamedTuple):
-    """Derivatives (N, C) of the values by a parameter: what the subject says, and central differences of its values."""
+    """Derivatives (N, C) of the values by a parameter: what the subject says, central differences of its values, and how far rounding may
+    move those."""
 
     said: Floats
     differences: Floats
+    noise: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -62,6 +64,8 @@ class Specimen:
         Whether its values come from an instrument, whose noise is no fault.
     transmits
         Whether light goes through: then what lies below the horizon is not looked at, and energy is that of both sides.
+    both_sides
+        Whether it reflects on the other side of the surface as well.
     single
         Whether it computes in float32 alone.
     strict
@@ -84,6 +88,7 @@ class Specimen:
     reciprocal: bool | None = None
     measured: bool = False
     transmits: bool = False
+    both_sides: bool = False
     single: bool = False
     strict: bool = True
     pairs: tuple[Floats, Floats] | None = None

@@ -186,11 +186,13 @@ def _sampling(certificate: Certificate) -> Html | None:
     counts, expected = (_floats(check.numbers["picture"][name]) for name in ("counts", "expected"))
     top = max(float(np.percentile(expected, 99.5)), float(np.percentile(counts, 99.5)), 1.0)
     pull = (counts - expected) / np.sqrt(np.maximum(expected, 1.0))
-    panels = [
-        _grid(sequential(np.sqrt(np.clip(expected / top, 0, 1))), "Expected of the density"),
-        _grid(sequential(np.sqrt(np.clip(counts / top, 0, 1))), "Where samples fell"),
-        _grid(diverging(np.clip(pull / 5, -1, 1)), "Difference, in standard deviations (±5)"),
-    ]
+    pictures = {
+        "Expected of the density": sequential(np.sqrt(np.clip(expected / top, 0, 1))),
+        "Where samples fell": sequential(np.sqrt(np.clip(counts / top, 0, 1))),
+        "Difference, in standard deviations (±5)": diverging(np.clip(pull / 5, -1, 1)),
+    }
+    lowest = check.numbers["picture"]["lowest"]
+    panels = [_grid(pixels, title, lowest) for title, pixels in pictures.items()]
     rows = [
         [f"{a:g}°", f"{s:.1f}", str(n), f"{p:.3g}", f"{i:.5g}", f"{k:.5g}"]
         for a, s, n, p, i, k in zip(
@@ -208,14 +210,14 @@ def _sampling(certificate: Certificate) -> Html | None:
             strict=True,
         )
     ]
-    head = ("θᵢ", "chi-square", "degrees of freedom", "chance", "integral of the density", "samples above the horizon")
-    caption = f"{check.says} Height is cos θᵣ, so that equal areas are equal solid angles; across is the azimuth. What mirrors or goes through is left out."
+    head = ("θᵢ", "chi-square", "degrees of freedom", "chance", "integral of the density", "samples in the bins")
+    caption = f"{check.says} Height is cos θᵣ, so that equal areas are equal solid angles; across is the azimuth. Peaks of Dirac are left out."
     return join(figure(panels, caption), table(head, rows))
 
 
-def _grid(pixels: NDArray[np.uint8], title: str) -> Html:
-    panel = Panel(Scale(-180, 180, ticks=(-180, -90, 0, 90, 180)), Scale(0, 1), title, "φᵣ [°]", "cos θᵣ")
-    panel.picture(pixels[::-1], (-180, 180), (0, 1))
+def _grid(pixels: NDArray[np.uint8], title: str, lowest: float) -> Html:
+    panel = Panel(Scale(-180, 180, ticks=(-180, -90, 0, 90, 180)), Scale(lowest, 1), title, "φᵣ [°]", "cos θᵣ")
+    panel.picture(pixels[::-1], (-180, 180), (lowest, 1))
     return panel.svg(title)
 
 
