@@ -178,7 +178,7 @@ def _slopes(mi: Any, bsdf: Any, wi: Floats, wo: Floats) -> Mapping[str, Slopes]:
             moved_to(key, plain + step)
             ends.append(_numbers(value(), len(wi)))
         moved_to(key, plain)
-        if said.any() or not np.array_equal(*ends):  # else the values do not depend on it
+        if said.any() or not np.array_equal(ends[0], ends[1]):  # else the values do not depend on it
             noise = 4 * 2.0**-24 * float(np.max(np.abs(ends[0]))) / h
             found[key] = Slopes(said, (ends[0] - ends[1]) / (2 * h), noise)
     return found

@@ -41,8 +41,12 @@ def variants(reference: Specimen) -> Iterator[tuple[Change, Evaluation]]:
     if len(model.terms()) > 1:
         yield from _terms(model)
     for part in model.walk():
-        for change, other in _parts(part):
-            yield change, _by(_exchanged(model, part, other))
+        for change, name, other in _parts(part):
+            try:
+                changed = _exchanged(model, part, replace(part, **{name: other}))
+            except MotesError:  # options that do not go together
+                continue
+            yield change, _by(changed)
 
 
 def _by(model: BRDF) -> Evaluation:
@@ -103,17 +107,17 @@ def _weighted(model: BRDF, k: int, factor: float) -> Evaluation:
     return value
 
 
-def _parts(part: Parametrised) -> Iterator[tuple[Change, Parametrised]]:
-    """A part with another word for an option, or without a part that it can do without."""
+def _parts(part: Parametrised) -> Iterator[tuple[Change, str, str | None]]:
+    """Another word for an option of a part, or nothing in the place of a part that it can do without: the field, and what it becomes."""
     kind = type(part).__name__
     for option in part.declared_options():
         for word in option.words:
             if word != getattr(part, option.name):
-                yield Change(f"{option.name}-{word}", f"Is it {kind} with {option.name}={word}?"), replace(part, **{option.name: word})  # fmt: skip
+                yield Change(f"{option.name}-{word}", f"Is it {kind} with {option.name}={word}?"), option.name, word
     for place in part.declared_parts():
         if not place.required and getattr(part, place.name) is not None:
             word = "fresnel" if issubclass(place.accepts, Fresnel) else place.name
-            yield Change(f"{word}-missing", f"Is the {word} term of {kind} missing?"), replace(part, **{place.name: None})  # fmt: skip
+            yield Change(f"{word}-missing", f"Is the {word} term of {kind} missing?"), place.name, None
 
 
 def _exchanged(whole: BRDF, old: Parametrised, new: Parametrised) -> BRDF:
