@@ -81,6 +81,19 @@ def test_hints_are_found() -> None:
     assert len({h.file for h in HINTS}) > 60
 
 
+def test_every_error_says_what_to_do() -> None:
+    """An error is a sentence and a next step; those that say so in one place, such as a package that is missing, are classes of their own."""
+    plain = {"MotesError", "ParameterError", "DataError", "FormatError"}
+    without = [
+        f"{path.relative_to(ROOT)}:{node.lineno}"
+        for path in sorted((ROOT / "src" / "motes").rglob("*.py"))
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Call) and getattr(node.func, "id", "") in plain and not node.keywords
+        if len(node.args) == 1 and not isinstance(node.args[0], ast.Starred)
+    ]
+    assert not without
+
+
 def test_options_in_hints_exist() -> None:
     known = set().union(*COMMANDS.values())
     unknown = [

@@ -90,7 +90,9 @@ class Material:
         """
         t = np.asarray(hours, float)
         if not np.isfinite(t).all():
-            raise ParameterError(f"a time of {t.ravel()[~np.isfinite(t.ravel())][0]} h is not finite")
+            raise ParameterError(
+                f"a time of {t.ravel()[~np.isfinite(t.ravel())][0]} h is not finite", "Give hours as numbers"
+            )
         values = {}
         for slot in self.brdf.slots():
             if slot.name in self.trends:

@@ -29,7 +29,7 @@ def shader(
         ``motes_parameters``, and its values for `model`, ``motes_defaults``.  A NaN in a direction gives NaN.
     """
     if scalar not in SCALARS:
-        raise ParameterError(f"scalar {scalar!r} is not one of {', '.join(SCALARS)}")
+        raise ParameterError(f"scalar {scalar!r} is not one of {', '.join(SCALARS)}", "Name one of them")
     name, prepared = checked_name(name), prepare(model)
     prefix = prefix_of(name)
     uniforms = uniforms_of(prepared, "")

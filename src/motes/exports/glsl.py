@@ -47,7 +47,7 @@ def shader(
         When the model has parameters for every direction, or `name` or `version` cannot be used.
     """
     if version not in VERSIONS:
-        raise ParameterError(f"GLSL version {version!r} is not one of {', '.join(VERSIONS)}")
+        raise ParameterError(f"GLSL version {version!r} is not one of {', '.join(VERSIONS)}", "Name one of them")
     name, prepared = checked_name(name), prepare(model)
     prefix = prefix_of(name)
     uniforms = uniforms_of(prepared, f"{prefix}_")

@@ -50,7 +50,7 @@ def fit_over_time(
         raise MotesError(f"trends {trends!r} is not 'auto' or a mapping", "Give for example {'sigma_d': 'constant'}")
     for name, kind in kinds.items():
         if kind not in KINDS:
-            raise MotesError(f"trend {kind!r} of {name} is not one of {', '.join(KINDS)}")
+            raise MotesError(f"trend {kind!r} of {name} is not one of {', '.join(KINDS)}", "Name one of them")
     usable = np.flatnonzero(data.mask.any(axis=(1, 2)))
     if len(usable) < 2:
         raise DataError(

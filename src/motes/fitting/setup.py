@@ -165,12 +165,15 @@ def sample_weights(data: Measurement, weights: str | ArrayLike, loss: Loss) -> W
         return _scaled(data, np.where(data.mask & np.isfinite(inverse), inverse, 0.0), True)
     if isinstance(weights, str):
         if weights not in ("measurement", "uniform"):
-            raise MotesError(f"weights {weights!r} is not 'measurement', 'uniform' or an array")
+            raise MotesError(
+                f"weights {weights!r} is not 'measurement', 'uniform' or an array",
+                "Give one of these words, or a weight for each direction",
+            )
         given = data.weights if weights == "measurement" else np.ones(data.n_directions)
     else:
         try:
             given = np.asarray(weights, float)
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             raise DataError("weights are not numbers", "Give one number >= 0 a direction") from None
     given = given[:, None] if given.ndim == 1 else given
     if given.shape not in ((data.n_directions, 1), (data.n_directions, data.n_channels)):

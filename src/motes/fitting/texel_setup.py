@@ -175,7 +175,7 @@ def _parts(
         if name not in names:
             raise MotesError(f"no fitted parameter {name!r} to have a trend", f"Those fitted are {', '.join(names)}")
         if kind not in KINDS:
-            raise MotesError(f"trend {kind!r} is not one of {', '.join(KINDS)}")
+            raise MotesError(f"trend {kind!r} is not one of {', '.join(KINDS)}", "Name one of them")
     interval = (float(times[0]), float(times[-1]))
     if math.isclose(*interval):
         raise DataError("all hours are the same", "Fit without trends")

@@ -69,7 +69,9 @@ class Settings:
 
         loss_named(loss), robust_named(robust)
         if max_theta is not None and not 0 < max_theta <= HALF_PI:
-            raise DataError(f"max_theta = {max_theta:.4g} is outside (0, 1.571] rad")
+            raise DataError(
+                f"max_theta = {max_theta:.4g} is outside (0, 1.571] rad", "Angles are in radians: 80 degrees is 1.396"
+            )
         _check_times(stack, time, trends)
         text, held = _checked_model(model, fixed, per_channel, trends or {})
         return cls(
@@ -209,7 +211,7 @@ def _check_times(stack: MapStack, time: int | None, trends: Mapping[str, str] | 
         )
     for name, kind in trends.items():
         if kind not in KINDS:
-            raise MotesError(f"trend {name}={kind!r} is not one of {', '.join(KINDS)}")
+            raise MotesError(f"trend {name}={kind!r} is not one of {', '.join(KINDS)}", "Name one of them")
 
 
 def _checked_model(
@@ -242,7 +244,10 @@ def _checked_model(
 def _checked_weights(weights: str | ArrayLike, count: int) -> str | list[float]:
     if isinstance(weights, str):
         if weights not in ("measurement", "uniform"):
-            raise MotesError(f"weights {weights!r} is not 'measurement' or 'uniform'")
+            raise MotesError(
+                f"weights {weights!r} is not 'measurement' or 'uniform'",
+                "Name one of them, or give a weight for each direction",
+            )
         return weights
     given = np.asarray(weights, float)
     if given.shape != (count,) or not np.isfinite(given).all() or (given < 0).any():

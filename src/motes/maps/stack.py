@@ -105,7 +105,10 @@ class MapStack:
         """Put values (h, w, T, D, C) with their first texel at (y, x); whole chunks are quickest."""
         data = np.asarray(values, np.float32)
         if data.ndim != 5 or data.shape[2:] != self.sizes:
-            raise DataError(f"values of shape {data.shape} do not fit a map (y, x, {', '.join(map(str, self.sizes))})")
+            raise DataError(
+                f"values of shape {data.shape} do not fit a map (y, x, {', '.join(map(str, self.sizes))})",
+                "Give texels with all times, directions and channels",
+            )
         h, w = data.shape[:2]
         try:
             self.array[y : y + h, x : x + w, self._times] = data

@@ -123,7 +123,10 @@ def _value(node: ast.AST, declared: Field[Any], path: tuple[str, ...], fixed: se
         try:
             value = ast.literal_eval(node)
         except (ValueError, TypeError, SyntaxError, MemoryError, RecursionError):
-            raise ParameterError(f"{declared.name} = {_quoted(node)} is not a number or a list of numbers") from None
+            raise ParameterError(
+                f"{declared.name} = {_quoted(node)} is not a number or a list of numbers",
+                f"Write {declared.name}=0.3, or {declared.name}=[0.7, 0.6, 0.5]",
+            ) from None
         fixed.add(path)
         return value
     if isinstance(node, ast.Constant) and isinstance(node.value, str):

@@ -167,7 +167,9 @@ class Option:
     def check(self, owner: str, value: object) -> None:
         """Raise `ParameterError` unless `value` is one of the words."""
         if value not in self.words:
-            raise ParameterError(f"{owner}: {self.name} = {_shown(value)} is not one of {', '.join(self.words)}")
+            raise ParameterError(
+                f"{owner}: {self.name} = {_shown(value)} is not one of {', '.join(self.words)}", "Name one of them"
+            )
 
 
 @dataclass(frozen=True)

@@ -125,7 +125,7 @@ def load_scene(description: Mapping[str, Any] | str | os.PathLike[str]) -> Any:
     except (RuntimeError, TypeError, ValueError, OSError) as error:
         if _raised:
             raise _raised.pop() from error
-        raise MotesError(f"Mitsuba cannot load this: {_last_sentence(str(error))}") from error
+        raise MotesError(f"Mitsuba cannot load this: {_last_sentence(str(error))}", "Correct the scene") from error
 
 
 def native(path: str | os.PathLike[str]) -> str:

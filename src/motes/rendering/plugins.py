@@ -48,7 +48,9 @@ def _model_plugin(surface: type, model: str) -> Callable[[Any], Any]:
         for place in cls.declared_parts():
             word, classes = _word(properties, owner, place.name), registered(place.accepts)
             if word is not None and word not in classes:
-                raise ParameterError(f"{owner}: {place.name} = {word!r} is not one of {', '.join(classes)}")
+                raise ParameterError(
+                    f"{owner}: {place.name} = {word!r} is not one of {', '.join(classes)}", "Name one of them"
+                )
             given |= {} if word is None else {place.name: classes[word]()}
         template = cls(**given)
         if not template.reciprocal:

@@ -61,7 +61,8 @@ class Series:
         days, R, se = (np.asarray(x, float) for x in (self.days, self.reflectance, self.stderr))
         if not (days.ndim == 1 and days.shape == R.shape == se.shape) or len(days) < 3:
             raise DataError(
-                f"{self.mirror}: {days.shape}, {R.shape} and {se.shape} are not three or more readings with errors"
+                f"{self.mirror}: {days.shape}, {R.shape} and {se.shape} are not three or more readings with errors",
+                "Give as many days, means and errors",
             )
         if not np.isfinite(days).all() or np.any(np.diff(days) <= 0):
             raise DataError(f"{self.mirror}: the times of the readings do not go forward", "Sort them; each time once")
