@@ -217,3 +217,15 @@ def test_what_is_below_the_horizon_is_0_and_nan_is_kept() -> None:
     up, down, nan = direction(0.3), direction(2.0), np.full(3, np.nan)
     for a, b, expected in ((up, up, 7.0), (up, down, 0.0), (down, up, 0.0), (nan, up, np.nan), (up, nan, np.nan)):
         assert_allclose(geometry(a, b).above_horizon(7.0), [expected])
+
+
+@pytest.mark.parametrize("scale", [1e-300, 1.0, 1e308])
+def test_a_vector_has_a_direction_whatever_its_length(scale: float) -> None:
+    found = directions.unit(scale * np.array([0.0, -0.6, 0.8]))
+    assert found is not None
+    assert_allclose(found, [0, -0.6, 0.8], rtol=1e-12)
+
+
+@pytest.mark.parametrize("vector", [(0, 0, 0), (np.nan, 0, 1), (0, -np.inf, 1)])
+def test_some_vectors_have_no_direction(vector: tuple[float, ...]) -> None:
+    assert directions.unit(vector) is None

@@ -68,7 +68,7 @@ def test_times_viewers_and_gaps(tmp_path: Path) -> None:
     names = photographs(tmp_path / "shots", np.full((5, 2, 3, 3), 0.25) * np.arange(1, 6)[:, None, None, None])
     table = (
         "file;wi_x;wi_y;wi_z;theta_r;phi_r;time_min\n"
-        f"{names[0]};0;0;2;0.5;0;0\n{names[1]};3;0;3;0.5;0;0\n"  # vectors of any length
+        f"{names[0]};0;0;2;0.5;0;0\n{names[1]};1e308;0;1e308;0.5;0;0\n"  # vectors of any length
         f"{names[2]};0;0;1;0.5;0;30\n{names[3]};1;0;1;0.5;0;30\n{names[4]};0;1;1;0.7;1;30\n"
     )
     (tmp_path / "shots" / "l.csv").write_text(table)

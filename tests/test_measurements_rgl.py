@@ -91,6 +91,12 @@ def test_eval_broadcasts_and_is_zero_below_the_horizon(tmp_path: Path):
         brdf.eval(np.ones(2), np.ones(2))
 
 
+def test_no_directions_give_no_values(tmp_path: Path):
+    (tmp_path / "a.bsdf").write_bytes(files.tensor_file(files.rgl_fields()))
+    found = TensorBRDF.load(tmp_path / "a.bsdf")
+    assert found.eval(np.empty((0, 3)), np.empty((0, 3))).shape == (0, len(found.channels))
+
+
 def test_spectral_files(tmp_path: Path):
     fields = files.rgl_fields()
     fields["wavelengths"] = np.array([400, 550, 700], "<f4")

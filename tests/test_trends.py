@@ -399,3 +399,23 @@ def test_a_material_with_trends_comes_back_from_json() -> None:
 def test_a_trend_of_a_parameter_that_is_not_there_is_refused() -> None:
     with pytest.raises(MotesError, match="no parameter 'tau' to follow a trend"):
         Material(MATERIAL.brdf, trends={"tau": Trend("constant", {"value": 0.0}, INTERVAL)})
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        {},
+        {"kind": "tabulated"},
+        {"kind": "tabulated", "hours": [0, 1]},
+        {"kind": "tabulated", "hours": [0, 10**400], "values": [1, 1]},
+        {"kind": "linear", "coefficients": {"start": 1, "end": 2}},
+        {"kind": "linear", "coefficients": [1], "interval_h": [0, 1]},
+        {"kind": {}, "coefficients": {"start": 1, "end": 2}, "interval_h": [0, 1]},
+        {"kind": "linear", "coefficients": {"start": 10**400, "end": 2}, "interval_h": [0, 1]},
+        {"kind": "linear", "coefficients": {"start": 1, "end": 2}, "interval_h": [0, 10**400]},
+    ],
+)
+def test_damaged_trends_are_refused_with_a_next_step(data: dict[str, Any]) -> None:
+    with pytest.raises(MotesError) as caught:
+        trend_from_dict(data)
+    assert caught.value.hint

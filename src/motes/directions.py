@@ -206,6 +206,16 @@ def above(*ws: ArrayLike) -> NDArray[np.bool_]:
     return result
 
 
+def unit(vector: ArrayLike) -> NDArray[np.float64] | None:
+    """A vector (3,) at length 1, whatever its own length is; None when it has no direction: 0, NaN or infinite."""
+    v = np.asarray(vector, np.float64)
+    largest = np.abs(v).max()
+    if not (np.isfinite(largest) and largest > 0):
+        return None
+    v = v / largest  # squares of what is large are not numbers
+    return np.asarray(v / np.linalg.norm(v))
+
+
 def from_spherical(theta: ArrayLike, phi: ArrayLike) -> NDArray[np.float64]:
     """Unit vectors (..., 3) from polar angle and azimuth [rad]."""
     theta, phi = np.broadcast_arrays(np.asarray(theta, np.float64), np.asarray(phi, np.float64))

@@ -43,7 +43,7 @@ class Option:
         """`value` as a float or an array (C,), within bounds."""
         try:
             array = np.asarray(value, float)
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             raise ParameterError(f"{owner}: {name} = {str(value)[:80]!r} is not a number", self.doc) from None
         low, high = self.bounds
         if array.ndim > (1 if self.per_channel else 0) or not array.size:

@@ -146,10 +146,10 @@ def _direction(entry: dict[str, str], where: str, number: Any, name: str, suffix
     """A unit vector out of components or angles; straight up where neither is given, which only a viewer may be."""
     if f"{name}_x" in entry:
         vector = np.array([number(f"{name}_{axis}") for axis in "xyz"])
-        length = float(np.linalg.norm(vector))
-        if length == 0:
+        found = directions.unit(vector)
+        if found is None:
             raise DataError(f"{where}: {name} is (0, 0, 0)", "It points away from the surface")
-        return vector / length
+        return found
     angles = []
     for angle in ("theta", "phi"):
         if f"{angle}_{suffix}_deg" in entry:

@@ -15,7 +15,7 @@ def numbers(array: ArrayLike, label: str) -> NDArray[np.float64]:
     """A copy as float64; raises `DataError` for what is no numbers."""
     try:
         return np.array(array, np.float64)
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise DataError(f"{label} are not numbers: {error}", "Give an array of real numbers") from None
 
 

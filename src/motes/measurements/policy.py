@@ -71,7 +71,7 @@ def unit_directions(w: ArrayLike, label: str) -> NDArray[np.float64]:
     """
     try:
         w = np.array(w, np.float64)
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise DataError(
             f"{label} is not an array of numbers: {error}", "Give unit vectors as an array of shape (N, 3)"
         ) from None

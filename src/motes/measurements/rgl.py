@@ -183,7 +183,7 @@ class TensorBRDF:
         above = finite & directions.above(wi, wo)
         result = np.where(finite, 0.0, np.nan)[:, None] * np.ones(len(self.channels))
         result[above] = self._eval(wi[above], wo[above])
-        return result.reshape(*shape[:-1], -1)
+        return result.reshape(*shape[:-1], len(self.channels))
 
     def _eval(self, wi: NDArray[np.float64], wo: NDArray[np.float64]) -> NDArray[np.float64]:
         # A surface with a mirror symmetry is measured over part of the circle only: bring wi there, and wo along.

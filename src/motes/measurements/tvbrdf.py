@@ -113,7 +113,7 @@ def read_tvbrdf(
     stated = irradiance if irradiance is not None else info.irradiance
     try:
         scale = 1.0 if stated is None else float(stated)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         scale = np.nan
     if not 0 < scale < np.inf:
         raise DataError(f"irradiance = {stated!r:.40} is not positive", "It is that of a surface facing the light")
@@ -310,7 +310,7 @@ def _times(times: ArrayLike | None, text: str, n_scans: int, notes: list[str]) -
     if times is not None:
         try:
             given = np.asarray(times, np.float64).reshape(-1)
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             raise DataError(f"times = {times!r:.60} are not numbers", "Give the hours of all scans") from None
         if len(given) != n_scans:
             raise DataError(

@@ -9,6 +9,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from motes import directions
 from motes.errors import MotesError
 
 Floats = NDArray[np.float64]
@@ -91,10 +92,10 @@ def turn_to_y(up: ArrayLike) -> Floats:
 def unit(vector: ArrayLike, name: str) -> Floats:
     """A vector (3,) at unit length; raises `MotesError` when it has no direction."""
     v = np.asarray(vector, np.float64)
-    length = float(np.linalg.norm(v)) if v.shape == (3,) else 0.0
-    if not (np.isfinite(length) and length > 0):
+    found = directions.unit(v) if v.shape == (3,) else None
+    if found is None:
         raise MotesError(f"{name} = {np.ravel(v).tolist()} is not a direction", "Give three numbers, such as 0,1,0")
-    return v / length
+    return found
 
 
 def cross_products(mesh: Mesh) -> Floats:

@@ -91,7 +91,7 @@ def _rounded(path: Path, vertex: dict[str, Any]) -> tuple[str, ...]:
     """Coordinates far from the origin in single precision have lost their digits already where the file was written."""
     if any(np.asarray(vertex[axis]).dtype.itemsize > 4 for axis in "xyz") or not len(vertex["x"]):
         return ()
-    low, high = (np.array([f(vertex[axis]) for axis in "xyz"], np.float64) for f in (np.min, np.max))
+    low, high = (reading.doubles(np.array([f(vertex[axis]) for axis in "xyz"])) for f in (np.min, np.max))
     far, extent = np.abs([low, high]).max(), np.linalg.norm(high - low)
     if not np.isfinite(far) or np.spacing(np.float32(far)) < COARSE * extent:
         return ()

@@ -263,7 +263,7 @@ class BRDF(Reflecting, ABC):
                     x = np.asarray(x)
                     if x.dtype not in (np.float32, np.float64):
                         x = x.astype(np.float64)
-                except (TypeError, ValueError):
+                except (TypeError, ValueError, OverflowError):
                     raise DataError(f"{what} are not numbers: {str(x)[:80]}", f"Pass arrays (..., {n})") from None
                 if what == "directions":
                     _check_lengths(x)

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from motes.errors import MotesError
 from motes.images import photograph
+from motes.meshes.meshfile import LARGEST
 from motes.rendering.noise import gradient_noise
 
 Floats = NDArray[np.float64]
@@ -47,9 +48,14 @@ class Stroke:
 
     def __post_init__(self) -> None:
         points = np.asarray(self.points, np.float64)
-        if points.ndim != 2 or points.shape[1] != 3 or not len(points) or not np.isfinite(points).all():
+        if points.ndim != 2 or points.shape[1] != 3 or not len(points):
             raise MotesError(f"a stroke has points of shape {points.shape}", "Give one or more points of x, y, z")
-        if not (np.isfinite(self.radius) and self.radius > 0):
+        if not (np.abs(points) <= LARGEST).all():
+            raise MotesError(
+                f"a stroke goes through a coordinate that is not a number within {LARGEST:g}",
+                "Give x, y, z of the mesh",
+            )
+        if not 1 / LARGEST <= self.radius <= LARGEST:
             raise MotesError(f"a stroke has the radius {self.radius:g}", "Give a length above 0, in units of the mesh")
         if not 0 <= self.strength <= 1:
             raise MotesError(f"a stroke has the strength {self.strength:g}", "Give the share that it takes, 0 to 1")

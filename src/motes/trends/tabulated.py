@@ -66,13 +66,13 @@ AnyTrend = Trend | Tabulated
 
 
 def trend_from_dict(data: Mapping[str, Any]) -> AnyTrend:
-    """Back from ``to_dict`` of either; raises `ParameterError` or KeyError when something is missing."""
+    """Back from ``to_dict`` of either; raises `ParameterError` when something is missing or damaged."""
     if data.get("kind") == "tabulated":
         try:
             hours, values = np.asarray(data["hours"], float), np.asarray(data["values"], float)
-        except (TypeError, ValueError, OverflowError) as error:
+        except (KeyError, TypeError, ValueError, OverflowError) as error:
             raise ParameterError(
-                f"a tabulated trend is damaged: {error}", "Write the material again with motes fit"
+                f"a tabulated trend is incomplete or damaged: {error}", "Write the material again with motes fit"
             ) from None
         return Tabulated(hours, values)
     return Trend.from_dict(data)

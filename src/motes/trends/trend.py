@@ -155,7 +155,7 @@ class Trend:
             interval = (float(start), float(end))
             bounds = (-np.inf if low is None else float(low), np.inf if high is None else float(high))
             matrix = None if covariance is None else np.asarray(covariance, float)
-        except (TypeError, ValueError, OverflowError) as error:
+        except (KeyError, TypeError, ValueError, OverflowError) as error:
             raise ParameterError(
                 f"a trend is incomplete or damaged: {error}", "Write the material again with motes fit"
             ) from None

@@ -155,7 +155,7 @@ def _scans(name: str, fit: Any) -> ScansView | None:
         hours, values, stderr = fit.hours[usable], entry.scan_values, entry.scan_stderr
     try:
         t, v, e = (np.asarray(x, np.float64) for x in (hours, values, stderr))
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         return None
     if v.ndim != 2 or v.shape != e.shape or len(v) != len(t):
         return None
