@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import json
 import struct
 from collections.abc import Iterator
@@ -298,6 +299,20 @@ def test_a_link_restores_the_state(chrome: Any, rock: Path) -> None:
         viewed.js("void app.apply({ compare: 'split', active: 1, exposure: 99, tone: 'x', shape: 'nothing' })")
         assert [viewed.state(key) for key in ("compare", "active", "exposure", "tone")] == ["one", 0, 6, "neutral"]
         assert viewed.pixels()[..., 3].any()
+
+
+def test_a_link_sets_nothing_that_the_material_cannot_have(chrome: Any, rock: Path) -> None:
+    """A link may come from anybody: out of range, of another width, of no parameter."""
+    values = {"sigma_d": [1e300], "K_d": [0.5], "K_s": [0.25], "constructor": [1], "__proto__": [1]}
+    code = base64.urlsafe_b64encode(json.dumps({"values": [values], "hours": 1e300}).encode()).decode().rstrip("=")
+    with Viewed(chrome, rock, fragment=f"#motes={code}") as viewed:
+        viewed.settled()
+        assert viewed.js("app.values(0).sigma_d")[0] == pytest.approx(0.4)
+        assert len(viewed.js("app.values(0).K_d")) == 3
+        assert viewed.js("app.values(0).K_s") == [0.25]
+        assert "to what the material cannot have" in viewed.messages()
+        assert "sigma_d, K_d" in viewed.messages()
+        assert not viewed.errors
 
 
 def test_bad_files_are_refused_with_a_sentence(chrome: Any, rock: Path) -> None:

@@ -16,7 +16,7 @@ import { orbit } from './orbit';
 import { Pair } from './pair';
 import { Parameters } from './parameters';
 import { Probe } from './probe';
-import { Problem } from './problem';
+import { Problem, quoted } from './problem';
 import { Reflection } from './reflection';
 import { Picture } from './scene';
 import { Settings } from './settings';
@@ -212,8 +212,12 @@ export class App {
 
   private restore(): void {
     const state = decode(location.hash, this.start);
-    if (state) this.store.change(state);
-    else if (location.hash.startsWith('#motes=')) this.messages.fail(new Problem('The link is damaged and restores nothing', 'Copy it again'));
+    if (state) {
+      this.store.change(state);
+      const left = [0, 1].flatMap((index) => Object.keys(state.values[index as 0 | 1]).filter((name) => !Object.hasOwn(this.pair.held(state, index), name)));
+      if (left.length) this.messages.fail(new Problem(`The link sets ${quoted(left.join(', '))} to what the material cannot have; it is left out`, 'Copy the link again'));
+    }
+    if (!state && location.hash.startsWith('#motes=')) this.messages.fail(new Problem('The link is damaged and restores nothing', 'Copy it again'));
   }
 
   /** The materials that the state names. */
@@ -262,7 +266,7 @@ export class App {
     this.splitLine.style.left = `${100 * (state.compare === 'side' ? 0.5 : state.split)}%`;
     for (const tab of Array.from(this.tabs.children)) tab.setAttribute('aria-pressed', String(tab.getAttribute('data-active') === String(state.active)));
     const active = this.pair.active(state);
-    this.parameters.show(active, this.values(state.active), state.values[state.active as 0 | 1]);
+    this.parameters.show(active, this.values(state.active), this.pair.held(state, state.active));
     this.transport.show(this.pair.interval(state), state.hours);
     this.trendSection.hidden = !active.time;
     this.agreementSection.hidden = !this.data;

@@ -119,6 +119,12 @@ export function interpolate(hours: readonly number[], rows: readonly number[][],
   return rows[low]!.map((value, k) => value + share * (rows[high]![k]! - value));
 }
 
+/** Of what was set by hand what the material has a place for: its parameters, as many values as they have, in range.  A link may hold anything. */
+export function held(material: Material, values: Values): Values {
+  const fits = (slot: Slot): boolean => Object.hasOwn(values, slot.name) && values[slot.name]!.length === slot.value.length && values[slot.name]!.every((value) => inside(slot, value));
+  return Object.fromEntries(material.slots.filter(fits).map((slot) => [slot.name, values[slot.name]!]));
+}
+
 /** The values at a time, with those set by hand in their place. */
 export function valuesAt(material: Material, hours: number | null, held: Values): Values {
   const values: Values = {};
@@ -145,12 +151,16 @@ export function toJson(material: Material, values: Values, held: Values, hours: 
   return { ...material.json, parameters, trends, about };
 }
 
+function inside(slot: Slot, value: number): boolean {
+  const { low, high, open } = slot.declared;
+  const top = high ?? Infinity;
+  return Number.isFinite(value) && (open ? value > low && value < top : value >= low && value <= top);
+}
+
 /** A sentence for a value out of range; nothing is returned for a good one. */
 export function check(slot: Slot, value: number): void {
+  if (inside(slot, value)) return;
   const { low, high, open, unit, meaning, advice } = slot.declared;
-  const top = high ?? Infinity;
-  const inside = Number.isFinite(value) && (open ? value > low && value < top : value >= low && value <= top);
-  if (inside) return;
   const range = `${open ? '(' : '['}${low}, ${high === null ? 'inf)' : `${Number(high.toFixed(4))}${open ? ')' : ']'}`}${unit ? ` ${unit}` : ''}`;
   throw new Problem(`${slot.name} = ${value} is outside ${range} (${meaning})`, advice || (unit === 'rad' ? 'Angles are in radians' : `Choose a value in ${range}`));
 }

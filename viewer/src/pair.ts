@@ -1,7 +1,7 @@
 // The one or two materials that are looked at: the page's own, and those that were dropped in their place.
 
 import type { Payload } from './generated';
-import { fromJson, fromView, valuesAt, type Material, type Values } from './material';
+import { fromJson, fromView, held, valuesAt, type Material, type Values } from './material';
 import type { State } from './state';
 
 export class Pair {
@@ -45,10 +45,16 @@ export class Pair {
     return state.compare === 'one' ? [this.active(state)] : [this.materials[0]!, this.materials[1]!];
   }
 
+  /** What was set by hand and fits the material. */
+  held(state: State, index: number): Values {
+    const material = this.at(index);
+    return material ? held(material, state.values[index as 0 | 1]) : {};
+  }
+
   /** The values of a material now: its trends at the hour, and what was set by hand. */
   values(state: State, index: number): Values {
     const material = this.at(index);
-    return material ? valuesAt(material, material.time ? state.hours : null, state.values[index as 0 | 1]) : {};
+    return material ? valuesAt(material, material.time ? state.hours : null, this.held(state, index)) : {};
   }
 
   shownValues(state: State): Values[] {

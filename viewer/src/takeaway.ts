@@ -49,7 +49,7 @@ export function takeawaySection(store: Store, start: State, pair: Pair, canvas: 
   const named = (suffix: string): string => `${slug(active().name)}.${suffix}`;
   const json = (): string => {
     const { state } = store;
-    return `${JSON.stringify(toJson(active(), pair.values(state, state.active), state.values[state.active as 0 | 1], active().time ? state.hours : null), null, 1)}\n`;
+    return `${JSON.stringify(toJson(active(), pair.values(state, state.active), pair.held(state, state.active), active().time ? state.hours : null), null, 1)}\n`;
   };
   const copied = (what: string, text: () => string) => (): void => {
     copy(text()).then(() => messages.say(`${what} is copied`), messages.fail);
