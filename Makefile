@@ -2,6 +2,7 @@
 # make test   install what the tests need, and run them all
 # make lint   the checks of style, types and imports alone
 # make bench  install what the benchmarks need, run them, and write docs/benchmarks.md (EFFORT=quick, normal or full)
+# make fuzz   damaged files for everything that reads, MINUTES=1 long; writes docs/fuzzing.md
 # make clean  remove what these made
 
 VENV ?= .venv
@@ -13,8 +14,9 @@ PYTHON := $(shell for p in python3 python3.14 python3.13 python3.12 python3.11; 
 endif
 JOBS ?= 2
 EFFORT ?= normal
+MINUTES ?= 1
 
-.PHONY: demo test lint bench clean
+.PHONY: demo test lint bench fuzz clean
 .DELETE_ON_ERROR:
 
 demo: $(VENV)/.installed-all
@@ -46,6 +48,9 @@ $(VENV)/.installed-%: pyproject.toml
 
 bench: $(VENV)/.installed-dev
 	$(BIN)/python benchmarks/run.py --effort $(EFFORT)
+
+fuzz: $(VENV)/.installed-dev
+	$(BIN)/python tools/fuzz.py --minutes $(MINUTES) --output docs/fuzzing.md
 
 clean:
 	rm -rf $(VENV) .bpy out build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache

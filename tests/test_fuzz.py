@@ -1,0 +1,173 @@
+"""The tool that damages files: every reader stands a moment of it, and it sees what it is there to see."""
+
+from __future__ import annotations
+
+import base64
+import importlib
+import json
+import struct
+import sys
+import time
+import zlib
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+from viewer_support import node
+
+pytest.importorskip("zarr")
+pytest.importorskip("OpenImageIO")
+pytest.importorskip("trimesh")
+pytest.importorskip("openpyxl")
+pytest.importorskip("mitsuba")
+if not sys.platform.startswith("linux"):
+    pytest.skip("limits of memory as Linux has them", allow_module_level=True)
+
+TOOLS = Path(__file__).parents[1] / "tools"
+COUNT = 50  # inputs for each format
+
+
+@pytest.fixture(scope="module")
+def fuzz() -> Iterator[ModuleType]:
+    sys.path.insert(0, str(TOOLS))
+    try:
+        yield importlib.import_module("fuzz")
+    finally:
+        sys.path.remove(str(TOOLS))
+
+
+def test_everything_stands_a_moment_of_it(fuzz: ModuleType) -> None:
+    names = [name for name in fuzz.everything() if name not in fuzz.fuzz_viewer.PARSERS]
+    assert {*fuzz.READERS, *fuzz.OTHERS, "csv in a spreadsheet"} == set(names)
+    results = dict(fuzz.run(names, COUNT, 60, 20, 2))
+    assert {name: o.failures for name, o in results.items() if o.failures} == {}
+    assert {name: o.inputs for name, o in results.items()} == dict.fromkeys(names, COUNT)
+    assert sum(o.counts["read"] for o in results.values()) > COUNT
+    assert sum(o.counts["refused"] for o in results.values()) > COUNT
+    page = fuzz.page(results, 1, 1.0, fuzz.SECONDS, fuzz.GROWTH)
+    assert "Nothing failed." in page
+    assert f"**{COUNT * len(names):,} inputs, 0 failures**" in page
+    assert page.count(f"| {COUNT} |") >= len(names)
+
+
+def test_the_viewers_parsers_stand_a_moment_of_it(fuzz: ModuleType) -> None:
+    node()
+    names = list(fuzz.fuzz_viewer.PARSERS)
+    assert [name for name in fuzz.everything() if name in names] == names
+    results = dict(fuzz.run(names, 200, 60, 20, 2))
+    assert {name: o.failures for name, o in results.items() if o.failures} == {}
+    for outcome in results.values():
+        assert outcome.inputs == 200
+        assert outcome.counts["read"] > 0
+        assert outcome.counts["refused"] > 0
+
+
+def hungry() -> None:
+    np.ones(2**27)
+
+
+def hard_at_work() -> None:
+    while True:
+        pass
+
+
+def asleep() -> None:
+    time.sleep(60)
+
+
+@pytest.mark.parametrize(
+    ("bad", "seen"),
+    [
+        (lambda: [][1], "IndexError: list index out of range"),
+        (lambda: sys.exit(3), "the process ended with 3"),
+        (hungry, "memory"),
+        (hard_at_work, "longer than 0.1 s"),
+        (asleep, "nothing heard for 3 s"),
+    ],
+)
+def test_what_fails_is_seen(
+    fuzz: ModuleType, monkeypatch: pytest.MonkeyPatch, bad: Callable[[], object], seen: str
+) -> None:
+    """A reader that is broken on purpose, for what differs much from the specimen: it goes on with the next input."""
+    whole = bytes(1000)
+
+    def reader(path: Path, name: str, turn: int) -> str:
+        if abs(len(path.read_bytes()) - len(whole)) > 100:
+            bad()
+        return "read"
+
+    monkeypatch.setitem(fuzz.OTHERS, "mesh", reader)
+    monkeypatch.setattr(fuzz.fuzz_specimens, "specimens", lambda: {"mesh": lambda: [({"a": whole}, "a")]})
+    monkeypatch.setattr(fuzz, "SECONDS", 0.1)
+    monkeypatch.setattr(fuzz, "SILENCE", 3)
+    count = 3 if bad is asleep else 12
+    ((_, outcome),) = fuzz.run(["mesh"], count, 30, 3, 1)
+    assert seen in outcome.failures
+    assert outcome.inputs >= count
+    name, _, content = outcome.examples[seen].partition(": ")
+    assert name.endswith("a")
+    assert abs(len(bytes.fromhex(content)) - len(whole)) > 100
+
+
+def test_memory_is_counted(fuzz: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What an input takes, and not what was taken before."""
+
+    def reader(path: Path, name: str, turn: int) -> str:
+        if path.stat().st_size > 1000:
+            np.ones(2**22)  # 32 MiB
+        return "read"
+
+    monkeypatch.setitem(fuzz.OTHERS, "mesh", reader)
+    for size, least, most in ((10, 0, 2), (2000, 31, 36)):
+        monkeypatch.setattr(
+            fuzz.fuzz_specimens, "specimens", lambda size=size: {"mesh": lambda: [({"a": bytes(size)}, "a")]}
+        )
+        ((_, outcome),) = fuzz.run(["mesh"], 3, 30, 1, 1)
+        assert least <= outcome.most / 2**20 <= most
+
+
+def test_damage_keeps_frames(fuzz: ModuleType) -> None:
+    """Half of the damaged PNG have checksums that are right, half of the JSON is JSON."""
+    rng = np.random.default_rng(1)
+    body = b"IHDR" + bytes(13)
+    png = b"\x89PNG\r\n\x1a\n" + struct.pack(">I", 13) + body + struct.pack(">I", zlib.crc32(body))
+    made = [fuzz.fuzz_damage.damaged(png, rng) for _ in range(200)]
+    whole = [m for m in made if len(m) == len(png) and m[8:12] == png[8:12] and m[12:29] != body]
+    right = [m for m in whole if struct.pack(">I", zlib.crc32(m[12:29])) == m[29:]]
+    assert 0 < len(right) < len(whole)
+
+    def is_json(data: bytes) -> bool:
+        try:
+            json.loads(data)
+        except ValueError:
+            return False
+        return True
+
+    text = json.dumps({"a": [1, {"b": 2}], "c": "d"}).encode()
+    made = [fuzz.fuzz_damage.damaged(text, rng) for _ in range(200)]
+    assert 90 < sum(is_json(m) and m != text for m in made) < 200
+
+
+def test_links_and_scenes_are_damaged_inside(fuzz: ModuleType) -> None:
+    """Half of the damaged links hold JSON, and of the damaged glTF two chunks whose lengths are right."""
+    rng = np.random.default_rng(2)
+    link = fuzz.fuzz_specimens.links()[0][0]["a"]
+    states = []
+    for _ in range(200):
+        made = fuzz.fuzz_damage.damaged(link, rng)
+        with suppress(ValueError):
+            states.append(json.loads(base64.urlsafe_b64decode(made.removeprefix(b"#motes=") + b"==")))
+    assert len(states) > 90
+    glb = next(files[name] for files, name in fuzz.fuzz_specimens.solids() if name.endswith(".glb"))
+    right = 0
+    for _ in range(200):
+        made = fuzz.fuzz_damage.damaged(glb, rng)
+        lengths = [struct.unpack_from("<I", made, at)[0] for at in (8, 12) if at + 4 <= len(made)]
+        right += (
+            made != glb and len(lengths) == 2 and lengths[0] == len(made) and made[20 + lengths[1] :][4:8] == b"BIN\0"
+        )
+    assert right > 80
