@@ -64,13 +64,18 @@ def source_of(path: Path) -> str:
     """
     try:
         if path.stat().st_size > LARGEST_SOURCE:
-            raise FormatError(f"{path} has more than {LARGEST_SOURCE} bytes, which no function needs")
+            raise FormatError(
+                f"{path} has more than {LARGEST_SOURCE} bytes, which no function needs",
+                "Give the path of a source file",
+            )
         reason = distrusted(path.parent, [path])
         text = path.read_text(encoding="utf-8")
     except OSError as error:
         raise FormatError(
             f"{path} cannot be read: {error.strerror or error}", "Give the path of a source file"
         ) from error
+    except FormatError:
+        raise
     except ValueError:
         raise FormatError(f"{path} is not text", "Give the path of a source file") from None
     if reason is not None:
