@@ -168,7 +168,7 @@ def _surface(
         if scattering is not None:
             raise MotesError(
                 f"--scattering {scattering} was given without dust that settles",
-                "Add --phenomenon dust, or write dust_layer(..., scattering=...) in the model",
+                "Add --phenomenon dust, or say it of the dust_layer in the model",
             )
         return given, name, "unchanged"
     from motes.ageing import drying_plaster
