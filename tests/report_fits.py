@@ -8,6 +8,7 @@ import numpy as np
 
 from motes.directions import from_spherical
 from motes.drawing.sphere import evaluate
+from motes.fitting.error_bars import ErrorBars
 from motes.fitting.result import Fit, FittedParameter, Trial
 from motes.fitting.verdicts import Status, Verdict
 from motes.material import Material
@@ -67,6 +68,7 @@ def as_fit(data: Measurement, brdf: BRDF, *, verdicts: dict[str, Verdict] | None
             name=slot.name,
             value=value,
             stderr=stderr if n > 1 else float(stderr),
+            intervals={},
             verdicts=(verdict,) * n,
             symbol=slot.parameter.symbol,
             unit=slot.parameter.unit,
@@ -105,5 +107,6 @@ def as_fit(data: Measurement, brdf: BRDF, *, verdicts: dict[str, Verdict] | None
         "iterations": 12,
         "n_starts": 4,
         "seconds": 0.125,
+        "errors": ErrorBars("independent", 0, "as asked for"),
     }
     return Fit(**(values | changes))

@@ -113,12 +113,14 @@ def test_fit_holds_and_splits_parameters(motes: Run, rock: Path) -> None:
     assert len(parameters["K_s"]["value"]) == 3
 
 
-@pytest.mark.parametrize("option", ["--loss", "--robust", "--weights"])
+@pytest.mark.parametrize("option", ["--loss", "--robust", "--weights", "--errors"])
 def test_choices_are_those_of_the_library(option: str) -> None:
     from motes.cli.fit_command import fit
+    from motes.fitting.error_bars import ERRORS
     from motes.fitting.losses import LOSSES, ROBUST
 
-    known = {"--loss": LOSSES, "--robust": ROBUST, "--weights": {"measurement": 0, "uniform": 0}}[option]
+    weights = ("measurement", "uniform")
+    known = {"--loss": LOSSES, "--robust": ROBUST, "--weights": weights, "--errors": ERRORS}[option]
     hints = typing.get_type_hints(fit)
     assert set(typing.get_args(hints[option.strip("-")])) == set(known)
 

@@ -283,7 +283,7 @@ def main() -> None:
         "  means that the fit uses the highlight as a second diffuse lobe.",
         "- F = 1 makes the highlight grow too slowly towards grazing for paints, and without bound at the horizon itself.",
         "- sigma_d at 0 or at its upper bound: the diffuse part is not Oren-Nayar's; its other parameters hold only together with this bound.",
-        "- Errors take residuals as independent. Where the relative RMS is many percent, these are not, and the true errors are larger.",
+        "- Errors of measured data are over blocks of directions ([fitting.md](fitting.md#standard-errors)): what the model misses alike in all of them no error shows.",
         "",
     ]
     write_text(given.output, "\n".join(page))

@@ -18,6 +18,7 @@ def fit(
     loss: Literal["linear", "plain", "log", "cube_root"] = "linear",
     robust: Literal["none", "soft_l1", "huber", "cauchy"] = "none",
     weights: Literal["measurement", "uniform"] = "measurement",
+    errors: Literal["auto", "blocks", "independent"] = "auto",
     fix: Annotated[tuple[str, ...], Parameter(negative="")] = (),
     per_channel: Annotated[tuple[str, ...], Parameter(negative="")] = (),
     time: MaybeWhole = None,
@@ -61,6 +62,9 @@ def fit(
         How far-off samples count less.
     weights
         "measurement": as the format gives them (solid angles); "uniform": all alike.
+    errors
+        What error bars take as independent: "blocks" of directions, or "independent" samples; "auto": blocks, unless the
+        data are simulated or state uncertainties, and the residuals of neighbours do not go together.
     fix
         NAME=VALUE: hold a parameter; repeat for more.
     per_channel
@@ -118,6 +122,11 @@ def fit(
                 "--scale is for measurements, and this is a map",
                 "Divide by it when the map is made: exposure of motes stack",
             )
+        if errors == "blocks":
+            raise MotesError(
+                "--errors blocks is not for maps: their errors are over independent samples",
+                "Leave it out, or fit one texel as a measurement",
+            )
         from motes.cli.fitting_maps import fit_map
 
         return fit_map(
@@ -163,6 +172,7 @@ def fit(
         "per_channel": per_channel,
         "max_theta": None if max_theta_deg is None else math.radians(max_theta_deg),
         "scale": 1.0 if scale is None else _scale(scale),
+        "errors": errors,
     }
     return fit_and_write(measurement, time, folder, report, options, common, kinds=kinds)
 

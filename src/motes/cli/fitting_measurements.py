@@ -221,6 +221,7 @@ def _ending(result: Fit | TimeFit, effort: str) -> list[Row]:
             if chi is not None
             else []
         ),
+        ("errors", str(result.errors)),
         ("masked", f"{masked} of {of}: {reasons}" if masked else f"none of {of}"),
         ("status", f"{result.status} ({effort})"),
     ]

@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from motes.directions import HALF_PI
-from motes.errors import DataError
+from motes.errors import DataError, MotesError
 from motes.fitting import scaled
+from motes.fitting.error_bars import ERRORS
 from motes.fitting.losses import loss_named, robust_named
 from motes.fitting.over_time import fit_over_time
 from motes.fitting.result import Fit, Progress
@@ -36,6 +37,7 @@ def fit(
     scale: float | str = 1.0,
     time: int | None = None,
     trends: str | Mapping[str, str] = "auto",
+    errors: str = "auto",
     progress: Progress | None = None,
 ) -> Fit | TimeFit:
     """Fit a model to measured reflectance by bounded least squares.
@@ -74,6 +76,10 @@ def fit(
     trends
         For several times: ``"auto"`` chooses the kind of trend of each parameter by BIC; a mapping of names to kinds
         (`motes.trends.KINDS`) settles those.
+    errors
+        What error bars take as independent: ``"blocks"`` of directions, as residuals of a model that does not fit ask for;
+        ``"independent"`` samples; or ``"auto"``: blocks, unless the measurement is simulated, has uncertainties, or is arrays that nothing
+        is said of, and its residuals do not contradict that.  ``fit.errors`` says what it was, and why.
     progress
         Called with (done, total, what).
 
@@ -119,7 +125,9 @@ def fit(
     # One name is a name, not its letters.
     fixed = (fixed,) if isinstance(fixed, str) else fixed
     per_channel = (per_channel,) if isinstance(per_channel, str) else per_channel
-    wishes = Wishes(loss, robust, weights, fixed, per_channel)
+    if not isinstance(errors, str) or errors not in ERRORS:
+        raise MotesError(f"errors {errors!r} is not one of {', '.join(ERRORS)}", "Leave it out for 'auto'")
+    wishes = Wishes(loss, robust, weights, fixed, per_channel, errors=errors)
     if scale == scaled.FREE:
         free = replace(wishes, free_scale=True)
         data = scaled.middling(data)

@@ -8,7 +8,7 @@ sum_t (dQ_t/dc)' g_t and the matrix sum_t (dQ_t/dc)' H_t (dQ_t/dc).  So one solv
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
 
@@ -212,6 +212,21 @@ class Joint(Objective):
     @property
     def samples(self) -> int:
         return int(np.count_nonzero(self.problem.weights[self.scans]))
+
+    @property
+    def directions(self) -> tuple[Floats, Floats]:
+        return self.problem.directions
+
+    def misses(self, c: Floats) -> Floats:
+        """See `Objective.misses`."""
+        scans = [
+            replace(self.problem, values=self.problem.values[t], weights=self.problem.weights[t]) for t in self.scans
+        ]
+        return np.concatenate([scan.misses(x) for scan, x in zip(scans, self.vectors(c)[0], strict=True)])
+
+    def at_directions(self, rows: NDArray[np.intp]) -> Joint:
+        """See `Objective.at_directions`: what a model misses at a direction it misses in every scan."""
+        return replace(self, problem=self.problem.at_directions(rows))
 
     def bic(self, objective: float) -> float:
         """The Bayesian information criterion of an objective, with a coefficient as a parameter, or as `inflation` of them."""

@@ -55,6 +55,19 @@ class Objective(ABC):
         """By how much the gradient (P,) changes when all values grow by their common uncertainty, one standard deviation."""
 
     @property
+    @abstractmethod
+    def directions(self) -> tuple[Floats, Floats]:
+        """To the light and to the viewer (N, 3)."""
+
+    @abstractmethod
+    def misses(self, x: Floats) -> Floats:
+        """Weighted residuals (T, N, C) of all scans, as far as the robust function lets them count; 0 where masked."""
+
+    @abstractmethod
+    def at_directions(self, rows: NDArray[np.intp]) -> Objective:
+        """The part of it at some of the directions: those of a partition add up to the whole."""
+
+    @property
     def algebra(self) -> Arrays:
         """What its matrices are computed with."""
         return ARRAYS

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from motes.errors import DataError, MotesError
 from motes.fitting.choice import is_auto, summed
+from motes.fitting.error_bars import chosen
 from motes.fitting.joint import Joint
 from motes.fitting.losses import ROBUST, Floats
 from motes.fitting.metrics import chi_square, deviation, distances
@@ -113,7 +114,8 @@ def _result(
     started: float,
 ) -> TimeFit:
     brdf, c = setup.brdf, at_rest(joint, solution.x[0])
-    covariance = uncertainty(joint, c).covariance
+    bars, blocks = chosen(wishes.errors, data.provenance, setup.factor is not None, joint, c)
+    covariance = uncertainty(joint, c, blocks).covariance
     hours = np.asarray(data.times, float)
     results: dict[str, TrendFit] = {}
     for part, where in zip(joint.parts, joint.slices(), strict=True):
@@ -182,6 +184,7 @@ def _result(
         model_text=describe(brdf),
         iterations=int(solution.iterations.sum()),
         seconds=clock.perf_counter() - started,
+        errors=bars,
     )
     return replace(result, findings=(*found, *implausible(data), *implausible_fit(result)))
 

@@ -132,8 +132,7 @@ class Problem(Objective):
         """The same data under a robust function."""
         return replace(self, robust=robust, scale=scale)
 
-    def select(self, rows: NDArray[np.intp]) -> Self:
-        """The problem at some of the directions."""
+    def at_directions(self, rows: NDArray[np.intp]) -> Self:
         values, weights = self.values[..., rows, :], self.weights[..., rows, :]
         return replace(self, wi=self.wi[rows], wo=self.wo[rows], values=values, weights=weights)
 
@@ -184,6 +183,14 @@ class Problem(Objective):
     def residuals(self, x: Floats) -> Floats:
         """Weighted residuals (N, C) for one parameter vector (P,); 0 where masked."""
         return self._roots * (self.loss.transform(self.predicted(x), self._cosines) - self._targets)
+
+    @property
+    def directions(self) -> tuple[Floats, Floats]:
+        return self.wi, self.wo
+
+    def misses(self, x: Floats) -> Floats:
+        residual = self.residuals(x)
+        return np.asarray((residual * self.robust.slope((residual / self.scale) ** 2))[None])
 
     def spread(self, x: Floats, inverse: Floats, sets: NDArray[np.intp] | None = None) -> Floats:
         """The middle of the sandwich estimator (P, P): the sum of (psi / (1 - h))^2 J' J for one parameter vector.

@@ -17,6 +17,7 @@ from motes import outlets
 from motes.arrays import Array
 from motes.errors import MotesError
 from motes.files import write_csv, write_text
+from motes.fitting.error_bars import ErrorBars
 from motes.fitting.formatting import correlations_as_json, finite, with_error
 from motes.fitting.verdicts import Status, Verdict
 from motes.material import Material
@@ -30,12 +31,14 @@ class FittedParameter:
     """One parameter after a fit.
 
     ``value``, ``stderr`` and ``verdicts`` have an entry for each channel where the parameter was fitted per channel:
-    arrays (C,) and a tuple of C; else a float, a float and a tuple of one.  ``stderr`` is one standard error (68 %),
-    NaN where the data do not determine the parameter, where it sits at a bound, or where it was fixed."""
+    arrays (C,) and a tuple of C; else a float, a float and a tuple of one.  ``stderr`` is one standard error, NaN where the data
+    do not determine the parameter, where it sits at a bound, or where it was fixed.  ``intervals`` are the ends (2,) or (C, 2) of
+    the intervals of 68 and 95 %, by ``"68"`` and ``"95"``: wider than one and two errors where little stands behind these."""
 
     name: str
     value: Array
     stderr: Array
+    intervals: dict[str, NDArray[np.float64]]
     verdicts: tuple[Verdict, ...]
     symbol: str
     unit: str
@@ -104,6 +107,8 @@ class Result(ABC):
         The model as text.
     iterations, seconds
         The effort.
+    errors
+        What the error bars take as independent, and why.
     """
 
     material: Material
@@ -118,6 +123,7 @@ class Result(ABC):
     model_text: str
     iterations: int
     seconds: float
+    errors: ErrorBars
 
     #: What `motes.outlets` calls results of this kind, and the ``format`` of their JSON.
     kind: ClassVar[str]
@@ -133,6 +139,7 @@ class Result(ABC):
             "robust": self.robust,
             "status": str(self.status),
             "converged": self.status.ok,
+            "errors": self.errors.to_dict(),
         }
         after = {
             "findings": list(self.findings),
@@ -223,6 +230,7 @@ class Fit(Result):
                 p.name: {
                     "value": finite(p.value),
                     "stderr": finite(p.stderr),
+                    "intervals": finite(p.intervals),
                     "unit": p.unit,
                     "bounds": finite(list(p.bounds)),
                     "verdicts": [str(v) for v in p.verdicts],

@@ -102,7 +102,8 @@ def in_units(
     before = float(data.provenance[NAME])
     factor = np.ones(len(covariance))
     factor[-1] = before
-    whole = replace(found, value=found.value * before, stderr=found.stderr * before)
+    ends = {level: both * before for level, both in found.intervals.items()}
+    whole = replace(found, value=found.value * before, stderr=found.stderr * before, intervals=ends)
     stderr = float(found.stderr) if np.isfinite(found.stderr) else None
     return whole, covariance * np.outer(factor, factor), data.rescaled(float(found.value), stderr)
 

@@ -61,7 +61,7 @@ def _part(problem: Problem) -> Problem:
     if len(problem.wi) <= 2 * count:
         return problem
     rows = np.sort(np.random.default_rng(20060914).choice(len(problem.wi), count, replace=False))
-    return problem.select(rows)
+    return problem.at_directions(rows)
 
 
 def fit_scans(problem: Problem, scans: NDArray[np.intp]) -> ScanFits:

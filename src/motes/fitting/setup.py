@@ -29,6 +29,7 @@ class Wishes:
     fixed: Collection[str] | Mapping[str, Any]
     per_channel: Collection[str]
     free_scale: bool = False
+    errors: str = "auto"
 
 
 class Fitted(NamedTuple):

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from motes.directions import above
 from motes.errors import DataError
 from motes.fitting.choice import CANDIDATES, best_of, bic, check_names, is_auto
+from motes.fitting.error_bars import chosen, intervals
 from motes.fitting.losses import LOSSES, ROBUST, Floats
 from motes.fitting.metrics import chi_square, deviation, distances, relative_rms
 from motes.fitting.plausibility import implausible_fit
@@ -85,7 +86,7 @@ def _starts(problem: Problem, given: Floats | None) -> Floats:
     # With much data a part of it says nearly the same: thin the starts out on growing parts first.
     for samples, most in ((20_000, 3), (COMPARED_SAMPLES, 1)):
         if work > 3 * samples:
-            part = problem.select(_even_rows(len(problem.wi), max(200, samples // problem.channels)))
+            part = problem.at_directions(_even_rows(len(problem.wi), max(200, samples // problem.channels)))
             rough = part.solve(starts, max_iterations=60, reduction=1e-7)
             starts = rough.x[np.argsort(rough.normal.objective, kind="stable")[:most]]
     return starts
@@ -211,7 +212,9 @@ class _Attempt:
         return self.problem.model.with_parameters(values)
 
     def result(self, tried: tuple[Trial, ...], started: float) -> Fit:
-        errors = uncertainty(self.problem, self.x)
+        bars, blocks = chosen(self.wishes.errors, self.data.provenance, self.factor is not None, self.problem, self.x)
+        errors = uncertainty(self.problem, self.x, blocks)
+        between = intervals(self.x, errors.steps, errors.freedom, self.problem.columns)
         found = self.fitted_brdf()
         where = {q.name: q for q in self.problem.quantities}
         parameters = {}
@@ -221,11 +224,13 @@ class _Attempt:
                 _, p, own, at = where[slot.name]
                 stderr: Any = errors.stderr[at] if own else float(errors.stderr[at][0])
                 verdicts = tuple(errors.verdicts[at])
+                ends = {level: both[:, at].T if own else both[:, at][:, 0] for level, both in between.items()}
             else:
                 stderr = np.full(np.shape(slot.value), np.nan) if np.ndim(slot.value) else math.nan
                 verdicts = (Verdict.FIXED,) * max(1, np.size(slot.value))
+                ends = {level: np.full((*np.shape(slot.value), 2), np.nan) for level in between}
             parameters[slot.name] = FittedParameter(
-                slot.name, slot.value, stderr, verdicts, p.symbol, p.unit, p.doc, p.fit_bounds
+                slot.name, slot.value, stderr, ends, verdicts, p.symbol, p.unit, p.doc, p.fit_bounds
             )
         covariance, data, predicted, brdf = errors.covariance, self.data, self.predicted, found
         if isinstance(found, Scaled):
@@ -262,5 +267,6 @@ class _Attempt:
             iterations=int(self.solution.iterations.sum()),
             n_starts=len(self.solution.x),
             seconds=clock.perf_counter() - started,
+            errors=bars,
         )
         return replace(result, findings=(*implausible(data), *implausible_fit(result)))

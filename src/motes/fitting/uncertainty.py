@@ -9,7 +9,9 @@ from numpy.typing import NDArray
 
 from motes.fitting import covariance as steps
 from motes.fitting.algebra import ARRAYS, outer
+from motes.fitting.clusters import Middle, middle_over
 from motes.fitting.columns import columns_of
+from motes.fitting.direction_blocks import Labels
 from motes.fitting.losses import Floats
 from motes.fitting.objective import Objective
 from motes.fitting.second_look import REFIT_ITERATIONS, REFIT_REDUCTION, Rows, Solved, look_again
@@ -30,12 +32,15 @@ class Uncertainty(NamedTuple):
         What the data say about each.
     steps
         Standard errors in the coordinates of the fit (P,).
+    freedom
+        The degrees of freedom behind them (P,).
     """
 
     stderr: Floats
     covariance: Floats
     verdicts: list[Verdict]
     steps: Floats
+    freedom: Floats
 
     @property
     def correlations(self) -> Floats:
@@ -58,8 +63,11 @@ def at_rest(objective: Objective, x: Floats) -> Floats:
     return rested if alike[0] > 0 else x
 
 
-def uncertainty(objective: Objective, x: Floats) -> Uncertainty:
-    """The uncertainty of the solution `x` (P,), with what is not seen `at_rest`; see `motes.fitting.covariance`."""
+def uncertainty(objective: Objective, x: Floats, blocks: Labels | None = None) -> Uncertainty:
+    """The uncertainty of the solution `x` (P,), with what is not seen `at_rest`; see `motes.fitting.covariance`.
+
+    `blocks` (N,) are labels of the directions whose residuals go together (`motes.fitting.clusters`); None where samples are independent.
+    """
     algebra = objective.algebra
     columns, bright = objective.columns, np.atleast_1d(objective.brightness().sum())
     at = objective.normal(x[None])
@@ -77,7 +85,8 @@ def uncertainty(objective: Objective, x: Floats) -> Uncertainty:
         if blurred.any():  # the others as if what is only seen in sums were known
             inverse = steps.inverted(algebra, matrix, stand.free * (1 - blurred))
             blurred = np.maximum(blurred, inverse.blurred)
-        middle = objective.spread(x, inverse.matrix[..., 0])[..., None]
+        middle, freedom = _middle(objective, x, inverse.matrix[..., 0], blocks)
+        middle = middle[..., None]
         covariance = algebra.sandwich(inverse.matrix, middle)
         free = stand.free * (1 - blurred)
         noise = steps.noise_of(algebra, matrix, middle, free)
@@ -105,7 +114,15 @@ def uncertainty(objective: Objective, x: Floats) -> Uncertainty:
     look_again(solved, columns, objective.groups, refit, diagonal)
     own = np.where(errors.known[:, 0] > 0, errors.stderr[:, 0], np.nan)
     full = _own_covariance(covariance[..., 0], own, stderr[:, 0])
-    return Uncertainty(stderr[:, 0], full, [steps.VERDICTS[code] for code in verdicts[0]], own)
+    return Uncertainty(stderr[:, 0], full, [steps.VERDICTS[code] for code in verdicts[0]], own, freedom)
+
+
+def _middle(objective: Objective, x: Floats, inverse: Floats, blocks: Labels | None) -> Middle:
+    """The middle of the sandwich: over blocks of directions where there are any, else over samples."""
+    if blocks is not None:
+        return middle_over(objective, x, inverse, blocks)
+    left = max(1.0, float(objective.samples - np.count_nonzero(np.diag(inverse))))
+    return Middle(objective.spread(x, inverse), np.full(len(x), left))
 
 
 def _own_covariance(covariance: Floats, coordinate: Floats, own: Floats) -> Floats:

@@ -12,6 +12,7 @@ import numpy as np
 from motes.directions import theta
 from motes.drawing.colour import diverging, hex_color
 from motes.drawing.markup import Html, join, table, tag
+from motes.fitting.error_bars import ErrorBars
 from motes.fitting.losses import LOSSES
 from motes.fitting.result import Fit, FittedParameter
 from motes.fitting.verdicts import Verdict
@@ -69,11 +70,17 @@ def parameters(context: Context) -> Html:
         tag("details", tag("summary", f"Table of {summary}"), table(head, rest)) if rest else None,
         tag(
             "p",
-            "The standard error is one sigma (68 %), by the sandwich estimator HC3: it holds for noise of any size that is independent from sample "
-            "to sample, not for what the model cannot express.",
+            f"The standard error is one sigma, by the sandwich estimator {fit.errors}. {what_errors_hold_for(fit.errors)}",
             class_="note",
         ),
     )
+
+
+def what_errors_hold_for(errors: ErrorBars) -> str:
+    """Of which residuals the standard errors are true."""
+    if errors.kind == "blocks":
+        return "It holds where residuals of a direction and of its neighbours go together, as those of a model do that does not fit."
+    return "It holds for noise of any size that is independent from sample to sample, not for what the model cannot express."
 
 
 def _row(p: FittedParameter, row: dict[str, str]) -> list[object]:

@@ -128,6 +128,7 @@ def _moment(fit: TimeFit, index: int) -> Fit:
         iterations=fit.iterations,
         n_starts=1,
         seconds=fit.seconds,
+        errors=fit.errors,
     )
 
 

@@ -17,7 +17,7 @@ from motes.fitting.verdicts import Verdict
 from motes.report import plots, residuals, sections, time_plots
 from motes.report.figures import Shown, channel_key
 from motes.report.findings import count, percent
-from motes.report.sections import Context
+from motes.report.sections import Context, what_errors_hold_for
 from motes.report.slices import Samples, polar_slices
 from motes.report.time_plots import Times
 from motes.trends import KINDS
@@ -126,8 +126,8 @@ def coefficients(context: TimeContext) -> Html:
         else None,
         tag(
             "p",
-            "The standard error is one sigma (68 %), from the scatter of the residuals of all scans: it holds for noise that is independent from sample to "
-            "sample. No error is given where a coefficient sits at a bound or is not determined. "
+            f"The standard error is one sigma, from the scatter of the residuals of all scans {context.fit.errors}. "
+            f"{what_errors_hold_for(context.fit.errors)} No error is given where a coefficient sits at a bound or is not determined. "
             "The verdict is that of the moment at which the parameter is best known.",
             class_="note",
         ),

@@ -1,0 +1,152 @@
+"""What error bars take as independent, why, and intervals from them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from typing import Any, final
+
+import numpy as np
+
+from motes.errors import DataError
+from motes.fitting.columns import Columns
+from motes.fitting.direction_blocks import LEAST_DIRECTIONS, Labels, blocks_of
+from motes.fitting.losses import Floats
+from motes.fitting.objective import Objective
+from motes.fitting.students_t import half_width
+from motes.measurements.origin import not_measured
+
+#: What errors may be asked for.
+ERRORS = ("auto", "blocks", "independent")
+#: Intervals, by name: 68 % is one standard deviation of the normal distribution.
+LEVELS = {"68": math.erf(math.sqrt(0.5)), "95": 0.95}
+#: Fewer blocks than these tell too little of a variance.
+FEWEST = 8
+# Residuals go together where they do by more than so many standard deviations of chance.
+BEYOND = 7.0
+
+
+@final
+@dataclass(frozen=True)
+class ErrorBars:
+    """What the error bars of a fit take as independent, and why.
+
+    Attributes
+    ----------
+    kind
+        ``"blocks"`` or ``"independent"``.
+    blocks
+        How many blocks of directions; 0 where each sample counts by itself.
+    why
+        The reason, as the end of a sentence.
+    """
+
+    kind: str
+    blocks: int
+    why: str
+
+    def __str__(self) -> str:
+        words = f"over {self.blocks} blocks of directions" if self.kind == "blocks" else "over independent samples"
+        return f"{words}: {self.why}"
+
+    def to_dict(self) -> dict[str, Any]:
+        """As plain JSON values."""
+        return asdict(self)
+
+
+#: What is said of results that were put together from others.
+UNKNOWN = ErrorBars("independent", 0, "nothing else is known")
+
+
+def chosen(
+    asked: str, provenance: Mapping[str, Any], stated: bool, objective: Objective, x: Floats
+) -> tuple[ErrorBars, Labels | None]:
+    """The kind of errors of a fit and, for blocks, the labels (N,) of its directions.
+
+    Of what was measured, residuals are mostly what the model misses, which neighbours share: blocks.  Samples count as independent
+    where the measurement says so (it is simulated, or states the noise of each sample), and where nothing is said of arrays, as
+    long as the residuals do not contradict it.
+
+    Parameters
+    ----------
+    asked
+        One of `ERRORS`.
+    provenance
+        Of the measurement.
+    stated
+        Whether the samples have uncertainties that they are weighted by.
+    objective, x
+        What is minimised, and the solution (P,).
+
+    Raises
+    ------
+    DataError
+        Where blocks are asked for, and there are too few directions.
+    """
+    if asked == "independent":
+        return ErrorBars("independent", 0, "as asked for"), None
+    wi, wo = objective.directions
+    labels = blocks_of(wi, wo)
+    count = int(labels.max()) + 1
+    if count < FEWEST:
+        few = f"{len(wi)} usable directions are too few for blocks"
+        if asked != "auto":
+            raise DataError(
+                f"{few}, of which there must be {FEWEST} with {LEAST_DIRECTIONS} directions each, at different places",
+                "errors='independent' takes samples as independent (--errors independent)",
+            )
+        return ErrorBars("independent", 0, few), None
+    if asked == "blocks":
+        return ErrorBars("blocks", count, "as asked for"), labels
+    simulated = bool(not_measured(provenance))
+    if provenance.get("format") and not simulated and not stated:
+        return ErrorBars("blocks", count, "what a model misses of a material, neighbours share"), labels
+    if together(objective.misses(x), labels):
+        return ErrorBars("blocks", count, "the residuals of neighbours go together"), labels
+    who = "simulated" if simulated else "with uncertainties" if stated else "not said to be measured"
+    return ErrorBars("independent", 0, f"the data are {who}, and the residuals of neighbours do not go together"), None
+
+
+def together(misses: Floats, labels: Labels) -> bool:
+    """Whether residuals (T, N, C) of one direction, or of one block, have the same sign more often than by chance.
+
+    The sum u of each group is squared, once of the residuals and once of their signs.  Were they independent, any could as well have had
+    the other sign: then the sum of u^2 has the mean sum r^2, and a variance that is known, too.  `BEYOND` standard deviations are
+    more than a few in ten thousand of independent data reach.
+    """
+    sizes = np.abs(misses)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        signs = np.nan_to_num(misses / sizes)
+    directions = np.arange(misses.shape[1])
+    for r in (misses / max(float(sizes.max(initial=0.0)), 1e-300), signs):
+        for groups in (directions, labels):
+            sums, squares, fourths = (
+                np.bincount(groups, np.sum(r**k, axis=(0, 2)), minlength=int(groups.max()) + 1) for k in (1, 2, 4)
+            )
+            excess = np.sum(sums**2) - np.sum(squares)
+            if excess > BEYOND * math.sqrt(2 * max(0.0, float(np.sum(squares**2) - np.sum(fourths)))) + 1e-12:
+                return True
+    return False
+
+
+def intervals(x: Floats, steps: Floats, freedom: Floats, columns: Columns) -> dict[str, Floats]:
+    """Intervals (2, P) in the parameters' own units, by the names of `LEVELS`; NaN where there is no error.
+
+    They are symmetric in the coordinate that the fit moves in, and end at the bounds.
+
+    Parameters
+    ----------
+    x, steps
+        The solution and its standard errors (P,), in the coordinates of the fit.
+    freedom
+        Degrees of freedom (P,).
+    """
+    low, high, squared = columns.low[:, 0], columns.high[:, 0], columns.squared[:, 0] > 0
+    found = {}
+    for name, level in LEVELS.items():
+        # Quantiles of as many digits as errors have: those of thousands of channels are a few.
+        widths = np.array([half_width(level, float(f"{f:.3g}")) for f in freedom])
+        ends = np.clip(x + np.outer([-1.0, 1.0], widths * steps), low, high)
+        found[name] = np.where(squared, np.sqrt(np.maximum(ends, 0.0)), ends)
+    return found
