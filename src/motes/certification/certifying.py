@@ -48,7 +48,7 @@ def certify(
         Mitsuba (a dictionary, ``"mitsuba:diffuse"``, XML, JSON, or itself; the variant is ``llvm_ad_rgb`` from then on), or a function ``f(wi, wo)``
         of unit vectors (N, 3) away from the surface, z the normal, that returns (N,) or (N, C) in 1/sr.
     as_model
-        The text of the model that it should be; parameters without a value have their defaults.  Rival conventions are then told apart.
+        The text of the model that it should be; parameters without a value are fitted to it.  Rival conventions are then told apart.
     against
         Another subject that it should be equal to, of any kind.
     sample
@@ -104,6 +104,8 @@ def certify(
     facts = dict(specimen.facts)
     if reference is not None:
         facts["compared with"] = f"{reference.name} ({reference.kind})"
+        if as_model is not None:
+            facts |= {f"{label} of that": value for label, value in reference.facts.items() if label != "model"}
     versions = {"motes": __version__, "python": platform.python_version(), "numpy": np.__version__, **specimen.versions}
     return Certificate(
         specimen.name,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from motes.certification.certificate import Check, Finding
+from motes.certification.certificate import Check, Finding, Outcome
 from motes.certification.hemisphere import turned, upper
 from motes.certification.rivals import Rival, constant, distance, rivals
 from motes.certification.specimen import Floats, Specimen
@@ -34,7 +34,7 @@ def check_conventions(specimen: Specimen, reference: Specimen | None) -> Check:
             {"reference": None},
             judged=bool(turning),
         )
-    wi, wo = _asked(specimen)
+    wi, wo = compared_pairs(specimen)
     values = specimen.eval(wi, wo)
     usable = np.isfinite(values).all(1)
     if not usable.any():
@@ -67,7 +67,12 @@ def check_conventions(specimen: Specimen, reference: Specimen | None) -> Check:
         for rival in ranked[:SHOWN]
     ]
     says = f"It differs from {reference.name} by {share(before)} of the values in the mean"
-    return Check("conventions", f"{turning} {says}.".strip(), tuple(_named(ranked[0], before, allowed, says)), numbers)
+    return Check(
+        "conventions",
+        f"{turning} {says}.".strip(),
+        tuple(_named(ranked[0], before, allowed, says, specimen.measured)),
+        numbers,
+    )
 
 
 def _allowed(specimen: Specimen, reference: Specimen) -> float:
@@ -76,7 +81,7 @@ def _allowed(specimen: Specimen, reference: Specimen) -> float:
     return CLOSE if specimen.single or reference.single else EXACT
 
 
-def _named(best: Rival, before: float, allowed: float, says: str) -> list[Finding]:
+def _named(best: Rival, before: float, allowed: float, says: str, measured: bool) -> list[Finding]:
     """A finding for each change, and for the constant; one without a name where nothing explains it."""
     explains = best.residual <= max(allowed, 0.02 * before) and (best.changes or best.scale != 1)
     if not explains:
@@ -84,7 +89,8 @@ def _named(best: Rival, before: float, allowed: float, says: str) -> list[Findin
         if best.scale != 1:
             parts.append(f"The constant is {best.scale:.4g}.")
         nearest = f" The nearest of them leaves {share(best.residual)}: {' '.join(parts)}" if parts else ""
-        return [Finding("differs", says, f"No rival hypothesis explains it: is it another model?{nearest}")]
+        outcome = Outcome.DOUBT if measured else Outcome.FAULT  # no model follows every material
+        return [Finding("differs", says, f"No rival hypothesis explains it: is it another model?{nearest}", outcome)]
     found = [
         Finding(change.name, says, f"{change.asks} That leaves {share(best.residual)}.") for change in best.changes
     ]
@@ -97,7 +103,7 @@ def _named(best: Rival, before: float, allowed: float, says: str) -> list[Findin
     return found
 
 
-def _asked(specimen: Specimen) -> tuple[Floats, Floats]:
+def compared_pairs(specimen: Specimen) -> tuple[Floats, Floats]:
     """Pairs to compare at, and which of them count: not too near the horizon, a third of them about the mirror direction."""
     if specimen.pairs is not None:
         wi, wo = specimen.pairs

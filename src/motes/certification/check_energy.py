@@ -112,5 +112,6 @@ def _cause(curve: Floats, excess: float) -> tuple[str, str]:
     for factor, name, why in SCALES:
         if curve.max() / factor <= 1 + DOUBT:
             # A little too much is no factor: what is left would be dark.
+            why += " Or does each of its parts return all of the light?" if curve.max() < 2 else ""
             return (name, why) if excess > 0.1 else ("energy", "Do the albedos of its parts add up to more than 1?")
     return "energy", "No known factor explains it: is the distribution of facets or the phase function not normalised?"

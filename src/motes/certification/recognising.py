@@ -4,17 +4,22 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from motes.certification.fitted_reference import reference_by_model
 from motes.certification.function_specimen import of_function
 from motes.certification.mitsuba_specimen import PREFIX, of_mitsuba
 from motes.certification.model_specimen import of_model
 from motes.certification.specimen import Specimen
-from motes.errors import MotesError
+from motes.certification.table_specimen import of_file, of_measurement
+from motes.errors import FormatError, MotesError
+from motes.files import reading
 from motes.material import LARGEST_FILE, Material, load
+from motes.measurements import Measurement, bird
 from motes.models import BRDF, describe, parse
 
 
@@ -54,6 +59,8 @@ def specimen_of(
 def _of_value(subject: Any, hours: float | None) -> Specimen:
     if isinstance(subject, Material):
         return of_model(subject, hours)
+    if isinstance(subject, Measurement):
+        return of_measurement(subject)
     if isinstance(subject, BRDF):
         return of_model(Material(subject, name=describe(subject)))
     if isinstance(subject, (str, os.PathLike)):
@@ -61,18 +68,42 @@ def _of_value(subject: Any, hours: float | None) -> Specimen:
         path = Path(text)
         if path.is_dir() and (path / "material.json").is_file():
             path = path / "material.json"
-        if path.is_file() and path.suffix.lower() == ".xml":
-            return of_mitsuba(path)
-        if path.is_file() and path.suffix.lower() == ".json":
-            return of_mitsuba(path) if _describes_a_bsdf(path) else of_model(load(path), hours)
+        if _there(path):
+            return _of_path(path, hours)
         if text.startswith(PREFIX):
             return of_mitsuba({"type": text.removeprefix(PREFIX)})
-        if isinstance(subject, str):
-            return of_model(Material(parse(subject).model, name=subject))
+        return _of_text(text)
     raise MotesError(
         f"{type(subject).__name__} is nothing that can be certified",
         "Give a material, a model, the path of a file, or a function f(wi, wo)",
     )
+
+
+def _there(path: Path) -> bool:
+    try:
+        return path.exists()
+    except (OSError, ValueError):  # a name too long for a file, which a model may be
+        return False
+
+
+def _of_path(path: Path, hours: float | None) -> Specimen:
+    suffix = path.suffix.lower() if path.is_file() else ""
+    if suffix == ".xml" and re.search(rb"<(bsdf|scene)\b", reading.head(path, 65536)):
+        return of_mitsuba(path)
+    if suffix == ".json" and not bird.sniff(path, reading.head(path, 4096)):
+        return of_mitsuba(path) if _describes_a_bsdf(path) else of_model(load(path), hours)
+    return of_file(path)
+
+
+def _of_text(text: str) -> Specimen:
+    try:
+        return of_model(Material(parse(text).model, name=text))
+    except MotesError as error:
+        if re.search(r"[/\\]|\.\w{1,12}$", text) and "(" not in text:
+            raise FormatError(
+                f"{text[:200]} does not exist", "Give the path of a file, a model or FILE.py:FUNCTION"
+            ) from error
+        raise
 
 
 def _describes_a_bsdf(path: Path) -> bool:
@@ -90,5 +121,4 @@ def reference_of(specimen: Specimen, as_model: str | None, against: Any) -> Spec
         return specimen_of(against)
     if as_model is None:
         return None
-    parsed = parse(as_model)
-    return of_model(Material(parsed.model, name=as_model))
+    return reference_by_model(specimen, as_model)
