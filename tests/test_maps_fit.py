@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -346,6 +347,8 @@ def test_damaged_fits_are_explained(fitted: maps.FittedMap, tmp_path: Path) -> N
         ("status", {"data_type": "uint16"}),
         ("sigma_d", {"data_type": "int32", "fill_value": 0}),
         ("K_d", {"shape": [2**20, 2**20, 1, 3]}),
+        ("K_d", {"node_type": "nothing"}),
+        ("time", {"fill_value": "NaN"}),
         ("status", {"shape": [12], "chunk_grid": {"name": "regular", "configuration": {"chunk_shape": [12]}}}),
     ],
 )
@@ -355,6 +358,8 @@ def test_maps_of_another_kind_or_size_are_refused(
     copy = support.copy(fitted.path, tmp_path / "copy.zarr")
     about = copy / name / "zarr.json"
     about.write_text(json.dumps(json.loads(about.read_text()) | change))
+    if name == "time":
+        shutil.rmtree(copy / "time" / "c")
 
     def use() -> None:
         found = maps.open_map(copy)
@@ -362,9 +367,16 @@ def test_maps_of_another_kind_or_size_are_refused(
         found.summary()
         found.material(0, 0)
 
-    with pytest.raises(FormatError) as caught:
+    with pytest.raises((FormatError, DataError)) as caught:
         use()
     assert caught.value.hint
+
+
+def test_a_map_that_lacks_a_parameter_is_refused(fitted: maps.FittedMap, tmp_path: Path) -> None:
+    copy = support.copy(fitted.path, tmp_path / "copy.zarr")
+    shutil.rmtree(copy / "sigma_d")
+    with pytest.raises(FormatError, match="it lacks sigma_d"):
+        maps.open_map(copy)
 
 
 def test_the_model_may_be_chosen(paint: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

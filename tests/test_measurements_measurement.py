@@ -206,6 +206,20 @@ def test_summary_is_json_and_to_xarray_keeps_everything():
     np.testing.assert_array_equal(dataset["wo"], m.wo)
 
 
+def test_a_summary_has_no_number_that_json_has_not():
+    wi, wo = pairs(2)
+    m = Measurement.from_arrays(
+        wi,
+        wo,
+        np.full((2, 1), 1e-320),
+        uncertainties=np.full((2, 1), 0.02),
+        provenance={"exposures": (0.2, np.inf), "gain": np.float64("nan"), "array": np.array([1, -np.inf])},
+    )
+    summary = json.loads(json.dumps(m.summary(), allow_nan=False))
+    assert summary["uncertainties"]["relative_median"] is None
+    assert (summary["exposures"], summary["gain"], summary["array"]) == ([0.2, None], None, [1, None])
+
+
 def test_uncertainties_go_along(tmp_path):
     wi, wo = pairs(4)
     values = np.arange(1.0, 17).reshape(2, 4, 2)

@@ -21,6 +21,7 @@ from motes.fitting.texels import TexelFit
 from motes.maps import zarrs
 from motes.maps.blocks import Blocks
 from motes.maps.layout import EXTRAS, FLAGS, VERDICT_FLAGS, Variable, labels, stored, stored_variables, worst
+from motes.maps.opening import forward
 from motes.maps.plan import Plan
 from motes.maps.stack import open_dataset
 from motes.material import Material
@@ -372,13 +373,15 @@ def open_fitted(path: object, mode: str = "r") -> FittedMap:
         )
     try:
         plan = Plan.from_dict(group["run"].attrs["plan"])
-        hours = zarrs.numbers(group["time"], folder)
+        hours = forward(zarrs.numbers(group["time"], folder), folder)
         channels = tuple(str(c) for c in group.attrs["channels"])
         shape = group["status"].shape[:2]
         blocks = Blocks(shape, (plan.settings.block[0], plan.settings.block[1]))
         if math.prod(group["run/done"].shape) > zarrs.MOST_BLOCKS or group["run/done"].shape != blocks.counts:
             raise ValueError("the record of finished blocks does not fit the maps")
-        variables = {name: v for name, v in stored_variables(plan, len(channels)).items() if name in group}
+        variables = stored_variables(plan, len(channels))
+        if lost := [name for name in variables if zarrs.member(group, name, folder) is None]:
+            raise ValueError(f"it lacks {', '.join(lost)}")
     except MotesError:
         raise
     except Exception as error:

@@ -83,9 +83,15 @@ def hours_of(array: Any, count: int, folder: Path) -> Floats:
     return values * UNITS[units.strip()]
 
 
-def check(wi: Floats, wo: Floats, hours: Floats, channels: int, where: object) -> None:
-    if len(wi) != len(wo):
-        raise DataError(f"{where}: {len(wi)} directions wi and {len(wo)} wo", "They come in pairs")
+def forward(hours: Floats, where: object) -> Floats:
+    """The times [h]; raises `DataError` unless they increase."""
     if hours.ndim != 1 or not len(hours) or not np.isfinite(hours).all() or (np.diff(hours) <= 0).any():
         shown = np.array2string(hours, threshold=8)
         raise DataError(f"{where}: the times {shown} do not increase", "Give one time [h] a scan, in order")
+    return hours
+
+
+def check(wi: Floats, wo: Floats, hours: Floats, channels: int, where: object) -> None:
+    if len(wi) != len(wo):
+        raise DataError(f"{where}: {len(wi)} directions wi and {len(wo)} wo", "They come in pairs")
+    forward(hours, where)

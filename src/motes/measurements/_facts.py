@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -17,11 +18,12 @@ def uncertainty_facts(
         return None
     known = mask & np.isfinite(uncertainties)
     u, f = uncertainties[known], np.abs(values[known])
-    relative = u[f > 0] / f[f > 0]
+    with np.errstate(over="ignore"):  # of values that are next to nothing
+        relative = u[f > 0] / f[f > 0]
     return {
         "n_samples": int(known.sum()),
         "range": extent(u),
-        "relative_median": float(np.median(relative)) if relative.size else None,
+        "relative_median": plain(np.median(relative)) if relative.size else None,
     }
 
 
@@ -31,7 +33,7 @@ def extent(values: NDArray[np.float64]) -> list[float] | None:
 
 
 def plain(value: Any) -> Any:
-    """The value in types that JSON has."""
+    """The value in types that JSON has; None for numbers that it has not."""
     if isinstance(value, Mapping):
         return {str(k): plain(v) for k, v in value.items()}
     if isinstance(value, (list, tuple)):
@@ -39,7 +41,9 @@ def plain(value: Any) -> Any:
     if isinstance(value, np.ndarray):
         return plain(value.tolist())
     if isinstance(value, np.generic):
-        return value.item()
+        return plain(value.item())
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
     return value if isinstance(value, (str, int, float, bool)) or value is None else str(value)
 
 
