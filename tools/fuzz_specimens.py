@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import io
 import json
+import shutil
 import sys
 import tempfile
 from collections.abc import Callable
@@ -20,8 +21,10 @@ import image_files  # noqa: E402
 import measurement_files as files  # noqa: E402
 from motes import ageing, fit, maps, meshes  # noqa: E402
 from motes.images import library  # noqa: E402
+from motes.material import Material  # noqa: E402
 from motes.measurements import read  # noqa: E402
-from motes.trends import KINDS, Trend  # noqa: E402
+from motes.models import parse  # noqa: E402
+from motes.trends import KINDS, Tabulated, Trend  # noqa: E402
 
 #: The files of a specimen, by their names.
 Specimen = dict[str, bytes]
@@ -49,6 +52,12 @@ def staf(folder: Path) -> None:
 
 def native_staf(folder: Path) -> None:
     format_files.native_staf_folder(folder, lambda path, pixels: files.write_exr(path, pixels, np.float32), times=2)
+
+
+def tables() -> Specimens:
+    """Columns of every kind that the reader of tables knows: those of the tests that are not there to be refused."""
+    known = json.loads((ROOT / "tests" / "tables.json").read_text(encoding="utf-8"))["tables"]
+    return one(files.csv_text(), *(table["text"] for table in known if "refused" not in table))
 
 
 def spreadsheet() -> bytes:
@@ -115,9 +124,17 @@ def fitted_folder() -> Specimen:
 
 
 def materials() -> Specimens:
-    """The plaster of the demonstration, its parameters moving; a fitted one."""
-    moving = json.dumps(ageing.age(ageing.drying_plaster(0.0), "dust", hours=10.0).to_dict())
-    return [*one(moving), ({"a": fitted_folder()["material.json"]}, "a")]
+    """The plaster of the demonstration, its parameters moving; a fitted one; a spectrum under dust, with a table of times."""
+    moving = ageing.age(ageing.drying_plaster(0.0), "dust", hours=10.0)
+    nm = np.linspace(400, 700, 5)
+    dusty = parse("dust_layer(ggx(fresnel=dielectric) + oren_nayar, tau=0.2, scattering=multiple)").model
+    table = {"K_d": Tabulated(np.array([0.0, 1.0, 4.0]), np.linspace(0.1, 0.5, 15).reshape(3, 5))}
+    spectral = Material(dusty, "dusty", tuple(f"{w:g} nm" for w in nm), trends=table, wavelengths=tuple(nm))
+    return [
+        *one(json.dumps(moving.to_dict())),
+        ({"a": fitted_folder()["material.json"]}, "a"),
+        *one(json.dumps(spectral.to_dict())),
+    ]
 
 
 def models() -> Specimens:
@@ -191,11 +208,37 @@ def reflectance_map(folder: Path) -> None:
     made.write(0, 0, np.full((3, 4, 2, 2, 3), 0.1))
 
 
+def packed_map(folder: Path) -> None:
+    """Integers with the attributes that say what they mean, and weights."""
+    import zarr
+
+    wi = np.array([[0.0, 0, 1], [0.6, 0, 0.8]])
+    made = maps.create_map(folder / "m.zarr", (3, 4), wi, wi[::-1], hours=(0.0, 1.0), weights=(1.0, 2.0))
+    group = zarr.open_group(str(made.path), mode="r+")
+    about = {**group["f_r"].attrs, "scale_factor": 0.01, "add_offset": 0.5, "_FillValue": 9}
+    dims = group["f_r"].metadata.dimension_names
+    del group["f_r"]
+    codes = np.arange(144, dtype="u2").reshape(3, 4, 2, 2, 3)
+    packed = group.create_array(
+        "f_r", shape=codes.shape, chunks=codes.shape, dtype="u2", dimension_names=dims, attributes=about
+    )
+    packed[...] = codes
+
+
 def fitted_map(folder: Path) -> None:
     maps.simulate_map(folder / "m.zarr", (3, 4), times=1, lights=4)
     maps.fit_map(folder / "m.zarr", model="lambert", out=folder / "f.zarr")
-    for left in sorted((folder / "m.zarr").rglob("*"), reverse=True):
-        left.rmdir() if left.is_dir() else left.unlink()
+    shutil.rmtree(folder / "m.zarr")
+
+
+def fitted_trends(folder: Path) -> None:
+    """Coefficients of trends, covariances, and the record of a failure."""
+    maps.simulate_map(folder / "m.zarr", (2, 3), times=3, lights=6)
+    made = maps.fit_map(
+        folder / "m.zarr", model="oren_nayar", out=folder / "f.zarr", trends={"K_d": "linear"}, covariance=True
+    )
+    made.record_failures([((0, 0), "a chunk that cannot be read")])
+    shutil.rmtree(folder / "m.zarr")
 
 
 def specimens() -> dict[str, Callable[[], Specimens]]:
@@ -219,7 +262,7 @@ def specimens() -> dict[str, Callable[[], Specimens]]:
         "astm": lambda: one(f.astm_text(), f.astm_text(degrees=True, phi_i=None)),
         "pab-opto": lambda: one(f.pab_text(30, 0, step=30), f.pab_text(30, 0, step=30, dsf=True)),
         "cornell": lambda: one(files.cornell_text()),
-        "csv": lambda: one(files.csv_text()),
+        "csv": tables,
         "csv in a spreadsheet": lambda: [({"a.xlsx": spreadsheet()}, "a.xlsx")],
         "picture": pictures,
         "mesh": solids,
@@ -229,6 +272,6 @@ def specimens() -> dict[str, Callable[[], Specimens]]:
         "table of lights": table_of_lights,
         "dust": dust,
         "folder of a fit": lambda: [(fitted_folder(), "")],
-        "reflectance map": lambda: [(folder_of(reflectance_map), "m.zarr")],
-        "fitted map": lambda: [(folder_of(fitted_map), "f.zarr")],
+        "reflectance map": lambda: [(folder_of(make), "m.zarr") for make in (reflectance_map, packed_map)],
+        "fitted map": lambda: [(folder_of(make), "f.zarr") for make in (fitted_map, fitted_trends)],
     }
