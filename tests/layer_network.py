@@ -69,7 +69,9 @@ def brdf(theta_i: Floats, theta_r: Floats, dphi: Floats, tau: Floats, w: Floats,
     v_i, v_r = stretched(np.cos(theta_i)), stretched(np.cos(theta_r))
     p_i, p_r = ([v - means[0], v**2 - means[1]] for v in (v_i, v_r))
     bracket = 1 + c[:, 0] * p_i[0] * p_r[0] + c[:, 1] * (p_i[0] * p_r[1] + p_i[1] * p_r[0]) + c[:, 2] * p_i[1] * p_r[1]
-    waves = d[:, 0] + d[:, 1] * (v_i + v_r) + d[:, 2] * v_i * v_r
-    bracket += -2 * np.cos(dphi) * np.sin(theta_i) * np.sin(theta_r) * waves
-    higher = e_i * e_r / (np.pi * mean_e) * np.maximum(bracket, 0)
+    bracket = np.maximum(bracket, 0.05)
+    waves = np.sin(theta_i) * np.sin(theta_r) * (d[:, 0] + d[:, 1] * (v_i + v_r) + d[:, 2] * v_i * v_r)
+    rho = np.clip(waves / (1.15 * bracket), -0.95, 0.95)
+    z = rho * np.exp(1j * (np.pi - dphi))  # the geometric series of the waves
+    higher = e_i * e_r / (np.pi * mean_e) * bracket * np.maximum(1 + 1.15 * 2 * (z / (1 - z)).real, 0)
     return higher + base * t_i * t_r / (np.pi * (1 - base * returned))

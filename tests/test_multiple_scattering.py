@@ -34,14 +34,14 @@ def rows() -> NDArray[np.void]:
 
 @needs_golden
 def test_the_brdf_of_discrete_ordinates(rows: NDArray[np.void]) -> None:
-    """Up to 80 degrees: half of the rows within 0.3 %, 95 % within 3 %; the worst have g = 0.8 and look into the dark."""
+    """Up to 80 degrees: half of the rows within 0.25 %, 95 % within 2 %, all within 7 %."""
     model = layer(Lambert(rows["base"][:, None]), rows["tau"], rows["w"][:, None], rows["g"])
     wi, wo = from_spherical(rows["theta_i"], 0 * rows["theta_i"]), from_spherical(rows["theta_r"], rows["dphi"])
     error = np.abs(np.asarray(model.eval(wi, wo))[:, 0] / rows["brdf"] - 1)
     error = error[np.maximum(rows["theta_i"], rows["theta_r"]) <= np.radians(80)]
-    assert np.median(error) < 0.003
-    assert np.percentile(error, 95) < 0.03
-    assert error.max() < 0.25
+    assert np.median(error) < 0.0025
+    assert np.percentile(error, 95) < 0.02
+    assert error.max() < 0.07
 
 
 @needs_golden

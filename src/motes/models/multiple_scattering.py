@@ -11,11 +11,13 @@ whatever the fitted numbers are.  With :math:`x(\mu) = 1 - e^{-\tau/\mu}`, :math
 are the share of light that leaves above after two or more scatterings, and the share that arrives below.  The higher orders are
 
 .. math::
-   f = \frac{E_i E_r}{\pi \bar E} \Big[1 + \sum_{ab} c_{ab} (v_i^a - m_a)(v_r^b - m_b)
-       + 2 \cos\varphi \sin\theta_i \sin\theta_r (d_0 + d_1 (v_i + v_r) + d_2 v_i v_r)\Big]
+   f = \frac{E_i E_r}{\pi \bar E} \; C \; \Big[1 + 2 A \sum_{m > 0} \rho^m \cos m \varphi\Big], \quad
+   C = 1 + \sum_{ab} c_{ab} (v_i^a - m_a)(v_r^b - m_b), \quad
+   \rho = \frac{\sin\theta_i \sin\theta_r}{A C} (d_0 + d_1 (v_i + v_r) + d_2 v_i v_r)
 
 with the means :math:`m_a` of :math:`v^a` with the weight :math:`E \mu`, so that no correction
-changes an albedo; :math:`\varphi` is 0 for light that goes on.
+changes an albedo; :math:`\varphi` is 0 for light that goes on.  The waves in azimuth fall off like powers, and their sum is
+:math:`2 \rho (\cos\varphi - \rho) / (1 - 2 \rho \cos\varphi + \rho^2)`, Poisson's kernel less 1, whose mean is 0.
 :math:`e_k, t_k, c, d` come out of a small network of algebraic sigmoids, fed with the two-stream solution (Meador and Weaver 1980).
 """
 
@@ -43,6 +45,10 @@ LEAST_DECAY = 1e-5
 # Less light than this leaves after several scatterings where there is no dust, or black dust.
 LEAST_ESCAPING = 1e-30
 ROOT_3 = math.sqrt(3.0)
+#: A of the azimuth: the m-th of its waves is A rho^m, as adding and doubling has it within a few hundredths for g up to 0.85.
+ONWARD = 1.15
+# Where a fit strays: the narrowest peak in azimuth, and the least of its mean.
+MOST_ONWARD, LEAST_AROUND = 0.95, 0.05
 
 
 @lru_cache(maxsize=1)
@@ -102,12 +108,14 @@ class Diffused:
         first, second = self._means
         i, r = stretched(geometry.cos_theta_i), stretched(geometry.cos_theta_r)
         i1, r1, i2, r2 = i - first, r - first, i * i - second, r * r - second
-        even = c11 * i1 * r1 + c12 * (i1 * r2 + i2 * r1) + c22 * i2 * r2
+        around = self.xp.maximum(1 + c11 * i1 * r1 + c12 * (i1 * r2 + i2 * r1) + c22 * i2 * r2, LEAST_AROUND)
+        wave = geometry.sin_theta_i * geometry.sin_theta_r * (d0 + d1 * (i + r) + d2 * (i * r)) / (ONWARD * around)
+        rho = self.xp.maximum(self.xp.minimum(wave, MOST_ONWARD), -MOST_ONWARD)
         # geometry.cos_dphi is 1 towards the light: light that goes on has -1 there.
-        across = -2 * geometry.cos_dphi * geometry.sin_theta_i * geometry.sin_theta_r
-        odd = across * (d0 + d1 * (i + r) + d2 * (i * r))
+        across = -geometry.cos_dphi
+        onward = 2 * rho * (across - rho) / (1 + rho * (rho - 2 * across))
         escaping = self.escaping(geometry.cos_theta_i) * self.escaping(geometry.cos_theta_r)
-        return escaping * (INV_PI / self.mean_escaping) * self.xp.maximum(1 + even + odd, 0.0)
+        return escaping * (INV_PI / self.mean_escaping) * around * self.xp.maximum(1 + ONWARD * onward, 0.0)
 
     # ------------------------------------------------------------ means over uniform light
 
