@@ -15,7 +15,7 @@ from motes import OrenNayar
 from motes.certification import Outcome, certify
 from motes.certification.table_specimen import of_file
 from motes.directions import from_half_difference
-from motes.errors import DataError, FormatError, MotesError
+from motes.errors import DataError, MotesError
 from motes.measurements import Measurement
 from skips import SHARED
 
@@ -119,7 +119,7 @@ def test_what_a_model_lacks_is_fitted_and_said() -> None:
 
 
 def test_what_is_not_there_is_said(tmp_path: Path) -> None:
-    with pytest.raises(FormatError, match="does not exist"):
+    with pytest.raises(MotesError, match="does not exist"):
         certify("folder/none.binary")
     with pytest.raises(MotesError):
         certify("no_such_model")

@@ -719,6 +719,7 @@ def test_every_command_and_option_is_documented() -> None:
             "export",
             "fit",
             "info",
+            "material",
             "render",
             "simulate",
             "stack",

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from motes.models import BRDF, parse
+from motes.trends import Trend
 
 MODEL = "dust_layer(oren_nayar + torrance_sparrow)"
 K_D_WET, K_D_DRY = np.array([0.34, 0.29, 0.23]), np.array([0.74, 0.69, 0.61])
@@ -28,6 +29,19 @@ TRENDS: dict[str, Callable[[float], Any]] = {
     "g": lambda hours: -0.2,
     "tau": lambda hours: 0.05 + 0.06 * hours,
 }
+
+
+def trends(last: float) -> dict[str, Trend]:
+    """The same as trends that a fit can find, from 0 h to `last`."""
+    interval = (0.0, last)
+    start = {name: trend(0.0) for name, trend in TRENDS.items()}
+    K_d = {"start": K_D_WET, "end": K_D_DRY, "middle": 2.0, "width": 0.4}
+    return {
+        **{name: Trend("constant", {"value": value}, interval) for name, value in start.items()},
+        "K_d": Trend("logistic", K_d, interval),
+        "K_s": Trend("exponential", {"start": start["K_s"], "end": 0.0, "time_constant": 1.0}, interval),
+        "tau": Trend("linear", {"start": start["tau"], "end": TRENDS["tau"](last)}, interval),
+    }
 
 
 def drying_plaster(hours: float, scattering: str = "single") -> BRDF:

@@ -16,11 +16,13 @@ from motes.certification.mitsuba_specimen import PREFIX, of_mitsuba
 from motes.certification.model_specimen import of_model
 from motes.certification.specimen import Specimen
 from motes.certification.table_specimen import of_file, of_measurement
-from motes.errors import FormatError, MotesError
+from motes.errors import MotesError
 from motes.files import reading
-from motes.material import LARGEST_FILE, Material, load
-from motes.measurements import Measurement, bird
-from motes.models import BRDF, describe, parse
+from motes.files.finding import exists
+from motes.material import LARGEST_FILE, Material
+from motes.measurements import Measurement
+from motes.models import BRDF, describe
+from motes.presets import given
 
 
 def specimen_of(
@@ -49,8 +51,8 @@ def specimen_of(
         )
     else:
         found = _of_value(subject, hours)
-    given = (("sample", sample), ("pdf", pdf), ("gradient", gradient), ("parameters", parameters), ("cosine", cosine))
-    for word, value in given:
+    passed = (("sample", sample), ("pdf", pdf), ("gradient", gradient), ("parameters", parameters), ("cosine", cosine))
+    for word, value in passed:
         if value:
             raise MotesError(f"{word} was given, and {found.name} is no function", f"Leave {word} out")
     return replace(found, name=name) if name else found
@@ -65,49 +67,28 @@ def _of_value(subject: Any, hours: float | None) -> Specimen:
         return of_model(Material(subject, name=describe(subject)))
     if isinstance(subject, (str, os.PathLike)):
         text = os.fspath(subject)
-        path = Path(text)
-        if path.is_dir() and (path / "material.json").is_file():
-            path = path / "material.json"
-        if _there(path):
-            return _of_path(path, hours)
-        if text.startswith(PREFIX):
+        if exists(text) and _is_bsdf_file(Path(text)):
+            return of_mitsuba(Path(text))
+        if not exists(text) and text.startswith(PREFIX):
             return of_mitsuba({"type": text.removeprefix(PREFIX)})
-        return _of_text(text)
+        found = given(text)
+        return of_model(found, hours) if isinstance(found, Material) else of_file(found)
     raise MotesError(
         f"{type(subject).__name__} is nothing that can be certified",
         "Give a material, a model, the path of a file, or a function f(wi, wo)",
     )
 
 
-def _there(path: Path) -> bool:
-    try:
-        return path.exists()
-    except (OSError, ValueError):  # a name too long for a file, which a model may be
-        return False
-
-
-def _of_path(path: Path, hours: float | None) -> Specimen:
+def _is_bsdf_file(path: Path) -> bool:
+    """Whether a file holds a BSDF of Mitsuba, as XML or JSON."""
     suffix = path.suffix.lower() if path.is_file() else ""
-    if suffix == ".xml" and re.search(rb"<(bsdf|scene)\b", reading.head(path, 65536)):
-        return of_mitsuba(path)
-    if suffix == ".json" and not bird.sniff(path, reading.head(path, 4096)):
-        return of_mitsuba(path) if _describes_a_bsdf(path) else of_model(load(path), hours)
-    return of_file(path)
-
-
-def _of_text(text: str) -> Specimen:
-    try:
-        return of_model(Material(parse(text).model, name=text))
-    except MotesError as error:
-        if re.search(r"[/\\]|\.\w{1,12}$", text) and "(" not in text:
-            raise FormatError(
-                f"{text[:200]} does not exist", "Give the path of a file, a model or FILE.py:FUNCTION"
-            ) from error
-        raise
+    if suffix == ".xml":
+        return re.search(rb"<(bsdf|scene)\b", reading.head(path, 65536)) is not None
+    return suffix == ".json" and _describes_a_bsdf(path)
 
 
 def _describes_a_bsdf(path: Path) -> bool:
-    """Whether a JSON file is a dictionary for Mitsuba; `load` says what is wrong with any other."""
+    """Whether a JSON file is a dictionary for Mitsuba; whoever reads it as a material says what is wrong with any other."""
     try:
         data = json.loads(path.read_text(encoding="utf-8")) if path.stat().st_size <= LARGEST_FILE else None
     except (OSError, ValueError, RecursionError):

@@ -32,7 +32,7 @@ def age(
     Parameters
     ----------
     material
-        A material.json, or the folder that motes fit wrote.
+        A material.json, a folder of motes fit, a preset or a model such as "oren_nayar(K_d=0.8)".
     phenomenon
         What happens: drying_paint, drying_surface, dust or rusting.
     from_

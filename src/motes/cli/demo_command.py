@@ -65,17 +65,7 @@ def true_trends(last: float) -> dict[str, Any]:
     import numpy as np
 
     from motes.ageing import plaster
-    from motes.trends import Trend
 
-    interval = (0.0, last)
-    start = {name: trend(0.0) for name, trend in plaster.TRENDS.items()}
-    K_d = {"start": plaster.K_D_WET, "end": plaster.K_D_DRY, "middle": 2.0, "width": 0.4}
-    trends = {
-        **{name: Trend("constant", {"value": value}, interval) for name, value in start.items()},
-        "K_d": Trend("logistic", K_d, interval),
-        "K_s": Trend("exponential", {"start": start["K_s"], "end": 0.0, "time_constant": 1.0}, interval),
-        "tau": Trend("linear", {"start": start["tau"], "end": plaster.TRENDS["tau"](last)}, interval),
-    }
     return {
         name: {
             "kind": trend.kind,
@@ -83,7 +73,7 @@ def true_trends(last: float) -> dict[str, Any]:
             "first": trend(0.0).tolist(),
             "last": trend(last).tolist(),
         }
-        for name, trend in trends.items()
+        for name, trend in plaster.trends(last).items()
     }
 
 

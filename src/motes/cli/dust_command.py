@@ -54,7 +54,7 @@ def dust(
     growth_per_day
         tau a day on a level, open surface; 0.005 when not given, about what mirrors of solar plants gather.
     material
-        A material.json with dust on top, whose tau after so many days is used instead.
+        A material with dust on top (a file, preset or model), whose tau after so many days is used instead.
     up
         Against gravity: x, y, z, -x, -y, -z or three numbers such as 0,0.6,0.8.
     source
@@ -87,6 +87,7 @@ def dust(
     from motes.cli import console, paths
     from motes.cli.options import numbers
     from motes.errors import MotesError
+    from motes.files.finding import existing
     from motes.meshes.ply import write_ply
     from motes.meshes.subdivision import refine as refined
     from motes.rendering.baking import SUFFIXES, bake, write_texture
@@ -114,7 +115,7 @@ def dust(
         "source": None if source is None else vector(source, "--source"),
         "wind": None if wind is None else vector(wind, "--wind"),
         "strokes": [_stroke(text) for text in stroke],
-        "mask": None if mask is None else read_mask(paths.existing(mask)),
+        "mask": None if mask is None else read_mask(existing(mask)),
         "rubbed_by": None if rubbed_by is None else mesh_of(rubbed_by),
         "others": [mesh_of(path) for path in shelter],
         "rays": rays,
@@ -179,7 +180,7 @@ def _report(file: Path, shape: Mesh, tau: NDArray[np.floating[Any]], days: float
 
 def mesh_of(name: str, outwards: bool = False) -> Mesh:
     """A mesh from a file, its faces turned outwards or left, or one of the shapes by its name."""
-    from motes.cli.paths import existing
+    from motes.files.finding import existing
     from motes.meshes.meshfile import read_mesh
     from motes.meshes.shapes import SHAPES
 

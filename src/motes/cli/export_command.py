@@ -54,8 +54,8 @@ def export(
     Parameters
     ----------
     material
-        A material.json, or the folder that motes fit wrote; measured data, too, for bird and openmaterial, which write the
-        samples as they are.
+        A material.json, a folder of motes fit, a preset or a model such as "oren_nayar(K_d=0.8)"; measured data, too, for bird and openmaterial, which
+        write the samples as they are.
     to
         The program or language.
     output
@@ -95,19 +95,22 @@ def export(
     return 0
 
 
-def _source(path: str, to: str, reading: Reading) -> Material | Measurement:
-    """The material at a path, or for targets that hold measured samples the data there."""
+def _source(text: str, to: str, reading: Reading) -> Material | Measurement:
+    """The material that a text names, or for targets that hold measured samples the data there."""
     from motes.cli import paths
     from motes.errors import DataError
     from motes.exports import TARGETS
+    from motes.material import Material
     from motes.measurements import Measurement, read
+    from motes.presets import given
 
-    given = paths.existing(path)
-    if not TARGETS[to].measured or paths.material_at(given):
-        return paths.material_of(path)
-    found = read(given, **reading.options())
+    if not TARGETS[to].measured:
+        return paths.material_of(text)
+    if isinstance(named := given(text), Material):
+        return named
+    found = read(named, **reading.options())
     if not isinstance(found, Measurement):
-        raise DataError(f"{path} holds maps of parameters, not measured samples", "They are no table of directions")
+        raise DataError(f"{text} holds maps of parameters, not measured samples", "They are no table of directions")
     return found
 
 

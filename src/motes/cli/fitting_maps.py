@@ -39,12 +39,13 @@ def fit_map(
     """Fit a map, write the page and the pictures, print what was found; returns the exit status."""
     from motes.cli import console, paths
     from motes.cli.printed_maps import show_fitted
+    from motes.files.finding import existing
     from motes.maps import export_exr, fit_map
     from motes.maps.fitted import open_fitted
     from motes.maps.stack import open_stack
 
     _check_reading(reading)
-    paths.existing(data)
+    existing(data)
     stack = open_stack(data)
     options |= {"time": time_of(time, len(stack.hours), trends or {}), "trends": trends}
     out = Path(output) if output is not None else Path(f"motes-{paths.slug(stack.name)}.zarr")

@@ -19,9 +19,10 @@ Row = tuple[str, str]
 def load_measurement(data: str, reading: Reading, common: Common) -> Measurement:
     """The measurement at a path; other things that Motes reads are an error that names the right command."""
     from motes.cli.console import progress
-    from motes.cli.paths import existing, material_at
     from motes.errors import DataError
+    from motes.files.finding import existing
     from motes.measurements import Measurement, read
+    from motes.presets import material_at
 
     path = existing(data)
     with progress(common, f"reading {path.name}"):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from motes.cli.options import Common, Reading
@@ -27,24 +28,26 @@ def info(
     Parameters
     ----------
     data
-        A file or folder: measurements, a material.json, the folder that motes fit wrote, or a map (Zarr).
+        A file or folder: measurements, a material.json, the folder that motes fit wrote, a preset or a model
+        with its values, or a map (Zarr).
     """
     from motes.cli import console
-    from motes.cli.paths import existing, is_map, material_at
+    from motes.cli.paths import is_map
+    from motes.files.finding import exists
+    from motes.material import Material
     from motes.measurements import Measurement, list_samples, read
     from motes.measurements.doubts import implausible
+    from motes.presets import given, material_at
 
-    path = existing(data)
+    path = given(data)
     if is_map(data):
         return _map(data, common)
-    if file := material_at(path):
-        from motes.material import load
-
-        material = load(file)
+    if isinstance(path, Material):
         if common.json:
-            console.print_json({"kind": "material", "path": str(file), **material.to_dict()})
+            file = {"path": str(material_at(Path(data)))} if exists(data) else {}
+            console.print_json({"kind": "material", **file, **path.to_dict()})
         elif not common.quiet:
-            _show_material(material)
+            show_material(path)
         return 0
     options = reading.options()
     samples = list_samples(path, format=options.get("format"))
@@ -69,7 +72,8 @@ def info(
     return 0
 
 
-def _show_material(material: Material) -> None:
+def show_material(material: Material) -> None:
+    """Print what a material is: its model, its parameters, their course, and where they come from."""
     from motes.cli import console
     from motes.cli.printed_tables import material_trends, model_table
     from motes.models import describe

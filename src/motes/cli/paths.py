@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import os
 import re
 import secrets
@@ -22,56 +21,11 @@ LONGEST_NAME = 60
 STALE = 24 * 3600.0  # seconds
 
 
-def existing(path: str) -> Path:
-    """`path`, which must exist; the error suggests close names."""
-    given = Path(path)
-    try:
-        if given.exists():
-            return given
-    except (OSError, ValueError) as error:  # a name too long, a null byte
-        raise MotesError(f"{path[:200]!r} is not a path: {error}", "Give the path of a file or folder") from None
-    if given.is_symlink():
-        raise MotesError(f"{path} is a link to what does not exist, or to itself", "Look at it with ls -l")
-    parent = given.parent
-    while not parent.is_dir():
-        given, parent = parent, parent.parent
-    names = [entry.name for entry in parent.iterdir()]
-    close = difflib.get_close_matches(given.name, names, n=3, cutoff=0.5)
-    hint = (
-        f"Did you mean {' or '.join(str(parent / name) for name in close)}?"
-        if close
-        else f"The folder {parent} exists; look there"
-    )
-    raise MotesError(f"{path} does not exist", hint)
+def material_of(text: str) -> Material:
+    """The material that a user names: a file, a folder of motes fit, a preset or a model's text (see `motes.presets.named`)."""
+    from motes.presets import named
 
-
-def material_at(path: Path) -> Path | None:
-    """The file of the material at a path, where it holds one: a JSON file, or the folder that ``motes fit`` wrote.
-
-    A JSON file of measured data (BiRD) is none.
-    """
-    from motes.files import reading
-    from motes.measurements import bird
-
-    file = path / "material.json" if path.is_dir() else path
-    if file.suffix.lower() != ".json" or not file.is_file():
-        return None
-    try:
-        return None if bird.sniff(file, reading.head(file)) else file
-    except OSError:  # whoever opens it says why not
-        return file
-
-
-def material_of(path: str) -> Material:
-    """The material at a path that a user gave; measured data are an error that names the right command."""
-    from motes.errors import DataError
-    from motes.material import load
-
-    given = existing(path)
-    file = material_at(given)
-    if file is None and given.is_dir():
-        raise DataError(f"{path} holds no material.json", f"motes fit {path} makes one from measured data")
-    return load(file or given)
+    return named(text)
 
 
 def slug(name: str) -> str:

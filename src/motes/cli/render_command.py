@@ -45,7 +45,7 @@ def render(
     Parameters
     ----------
     material
-        A material.json, or the folder that motes fit wrote; one or more.
+        A material.json, a folder of motes fit, a preset or a model such as "oren_nayar(K_d=0.8)"; one or more.
     output
         NAME.png, NAME.exr (radiance), NAME.gif or NAME.mp4.
     scene
@@ -89,6 +89,7 @@ def render(
     from motes.cli.dust_command import vector
     from motes.cli.options import numbers
     from motes.errors import MotesError
+    from motes.files.finding import existing
     from motes.rendering import slow_note
     from motes.rendering.pictures import default_look
     from motes.rendering.pictures import render as make
@@ -116,7 +117,7 @@ def render(
     shown = [paths.material_of(path) for path in material]
     measured: Path | None = None
     if compare is not None:
-        measured = paths.existing(compare)
+        measured = existing(compare)
         shown = shown or [_fitted(measured, model, reading, common)]
     several = film or scene == "grid" or len(shown) * len(hours or (0,)) + (measured is not None) > 1
     look = default_look(
@@ -126,7 +127,7 @@ def render(
         size=None if size is None else _size(size),
         samples=samples,
         seed=seed,
-        env=None if env is None else paths.existing(env),
+        env=None if env is None else existing(env),
         up=vector(up, "--up"),
     )
     try:

@@ -45,7 +45,7 @@ def simulate(
     folder
         To write; motes fit reads it.
     material
-        A material.json that motes fit wrote.
+        A material.json, a folder of motes fit, a preset or a model with values.
     model
         A model with values, such as "oren_nayar(K_d=(0.7,0.6,0.5), sigma_d=0.4) + torrance_sparrow(K_s=0.3)"; what is
         not given has its default.

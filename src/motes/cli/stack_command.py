@@ -48,9 +48,10 @@ def stack(
     from motes.cli import console, paths
     from motes.cli.printed_maps import stack_rows
     from motes.errors import MotesError
+    from motes.files.finding import existing
     from motes.maps import import_images
 
-    source = paths.existing(folder)
+    source = existing(folder)
     if chunk < 1:
         raise MotesError(f"--chunk {chunk} is below 1", "64 is a good size")
     out = Path(output) if output is not None else Path(f"{paths.slug(source.resolve().name)}.zarr")

@@ -36,11 +36,11 @@ def view(
     Parameters
     ----------
     subject
-        A material.json, the folder that motes fit wrote, or measured data.
+        A material.json, a folder of motes fit, a preset, a model such as "oren_nayar(K_d=0.8)", or measured data.
     output
         The file to write; NAME-view.html when not given.
     against
-        A second material to compare: a material.json or a folder of motes fit.
+        A second material to compare, of any of these but data.
     data
         Measured data to show over the material; of a fit its own where they are still there.
     model
@@ -51,17 +51,21 @@ def view(
     import sys
 
     from motes.cli import console, paths
+    from motes.files.finding import exists
+    from motes.material import Material
+    from motes.presets import given
     from motes.viewer import view as look
 
     notes: list[str] = []
     fitted: dict[str, Any] | None = None
     points = _read(data, reading, common) if data is not None else None
-    path = paths.existing(subject)
+    found, beside = given(subject), Path(subject) / "fit.json"
+    fit_is_there = exists(subject) and beside.is_file()
     what: Any
-    if (file := paths.material_at(path)) is not None or (path.is_dir() and (path / "fit.json").is_file()):
-        what = paths.material_of(subject)
-        if file is not None and path.is_dir() and (path / "fit.json").is_file():
-            fitted = _fit_json(path / "fit.json")
+    if isinstance(found, Material) or fit_is_there:
+        what = paths.material_of(subject) if isinstance(found, Path) else found
+        if fit_is_there:
+            fitted = _fit_json(beside)
             if points is None:
                 points = _own_data(fitted, notes)
     else:
@@ -94,12 +98,13 @@ def view(
 
 
 def _read(path: str, reading: Reading, common: Common) -> Measurement:
-    from motes.cli import console, paths
+    from motes.cli import console
     from motes.errors import DataError
+    from motes.files.finding import existing
     from motes.measurements import Measurement, read
 
     with console.progress(common, f"reading {Path(path).name}"):
-        found = read(paths.existing(path), **reading.options())
+        found = read(existing(path), **reading.options())
     if not isinstance(found, Measurement):
         raise DataError(
             f"{path} holds maps of parameters: a material for every texel",

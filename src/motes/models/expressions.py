@@ -6,7 +6,9 @@ words.  The text is parsed, never executed."""
 from __future__ import annotations
 
 import ast
+import difflib
 import warnings
+from collections.abc import Iterable
 from dataclasses import Field, fields
 from typing import Any, NamedTuple
 
@@ -18,9 +20,10 @@ from motes.parameters import Parametrised, PartField
 _MOST_PARTS = 64
 
 
-def _example() -> str:
-    """What to write, with the models there are."""
-    return (
+def _example(word: str = "", known: Iterable[str] = ()) -> str:
+    """What to write, with the models there are; before it, what of the known words was probably meant."""
+    close = difflib.get_close_matches(word.lower(), [*known], n=1, cutoff=0.6)
+    return (f"Did you mean {close[0]}? " if close else "") + (
         "Write for example 'oren_nayar + torrance_sparrow', or 'dust_layer(oren_nayar)'; the models are "
         + ", ".join(registered(BRDF))
     )
@@ -95,7 +98,8 @@ def _build(node: ast.AST, path: tuple[str, ...], fixed: set[tuple[str, ...]]) ->
     call = node.func if isinstance(node, ast.Call) else node
     classes = registered(Parametrised)
     if not isinstance(call, ast.Name) or call.id not in classes:
-        raise ParameterError(f"{_quoted(node)} is not a model", _example())
+        word = call.id if isinstance(call, ast.Name) else ""
+        raise ParameterError(f"{_quoted(node)} is not a model", _example(word, classes))
     cls = classes[call.id]
     known = {f.name: f for f in fields(cls)}
     positional = [p.name for p in _positional(cls)]
