@@ -35,12 +35,12 @@ def of_function(
 
     def value(wi: Floats, wo: Floats) -> Floats:
         values = shaped(evaluate(wi, wo), len(wi), owner)
-        return _divided(values, wo) if cosine else values
+        return divided(values, wo) if cosine else values
 
     def narrow(wi: Numbers, wo: Numbers) -> Numbers:
         values = np.asarray(evaluate(wi, wo))
         values = values[:, None] if values.ndim == 1 else values
-        return _divided(values, wo) if cosine else values
+        return divided(values, wo) if cosine else values
 
     probe = np.array([[0.0, 0.6, 0.8], [0.6, 0.0, 0.8]], np.float32)
     keeps = np.asarray(evaluate(probe, probe)).dtype == np.float32
@@ -110,7 +110,8 @@ def _flat(evaluate: Callable[[Numbers, Numbers], Any]) -> Callable[[Floats, Floa
     return density
 
 
-def _divided(values: Numbers, wo: Numbers) -> Floats:
+def divided(values: Numbers, wo: Numbers) -> Floats:
+    """Values of f cos(theta_r) as f, above the horizon."""
     cosine = wo[:, 2:]
     with np.errstate(all="ignore"):
         return np.where(cosine > 0, values / np.where(cosine > 0, cosine, 1), values)

@@ -1,4 +1,4 @@
-"""Functions out of files that a command line names, ``FILE.py:FUNCTION``: the file is run, so nobody else may be able to write it."""
+"""Functions out of files that a command line names, ``FILE.py:FUNCTION`` or ``FILE.c:FUNCTION``: they are run, so nobody else may be able to write them."""
 
 from __future__ import annotations
 
@@ -9,19 +9,20 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from motes.certification.c_specimen import of_c
 from motes.certification.function_specimen import of_function
 from motes.certification.specimen import Specimen
 from motes.errors import FormatError, MotesError
 from motes.files.trust import distrusted
 
 LARGEST_SOURCE = 2**20
-_NAMED = re.compile(r"(?P<file>.+\.(?P<kind>py)):(?P<function>[A-Za-z_]\w*)")
+_NAMED = re.compile(r"(?P<file>.+\.(?P<kind>py|c|h)):(?P<function>[A-Za-z_]\w*)")
 
 
 def opened(text: str, parameters: Mapping[str, Any], cosine: bool) -> Specimen | None:
     """The function that a text names; None where it names none.
 
-    Beside ``FUNCTION`` the file may have ``FUNCTION_sample``, ``FUNCTION_pdf`` and ``FUNCTION_gradient``.
+    Beside ``FUNCTION`` a Python file may have ``FUNCTION_sample``, ``FUNCTION_pdf`` and ``FUNCTION_gradient``.
 
     Raises
     ------
@@ -35,6 +36,8 @@ def opened(text: str, parameters: Mapping[str, Any], cosine: bool) -> Specimen |
         return None
     path, function = Path(named["file"]), named["function"]
     source = source_of(path)
+    if named["kind"] != "py":
+        return of_c(path, source, function, parameters, cosine)
     module = _run(path)
     found = {part: getattr(module, f"{function}{part}", None) for part in ("", "_sample", "_pdf", "_gradient")}
     if not callable(found[""]):

@@ -14,6 +14,7 @@ from motes.certification.fitted_reference import reference_by_model
 from motes.certification.function_specimen import of_function
 from motes.certification.mitsuba_specimen import PREFIX, of_mitsuba
 from motes.certification.model_specimen import of_model
+from motes.certification.opened import opened
 from motes.certification.specimen import Specimen
 from motes.certification.table_specimen import of_file, of_measurement
 from motes.errors import MotesError
@@ -37,6 +38,8 @@ def specimen_of(
     hours: float | None = None,
 ) -> Specimen:
     """See `motes.certify`, whose arguments these are."""
+    if isinstance(subject, str) and (function := opened(subject, parameters or {}, cosine)) is not None:
+        return replace(function, name=name) if name else function
     if isinstance(subject, Specimen):
         found = subject
     elif (

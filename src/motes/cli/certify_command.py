@@ -30,8 +30,8 @@ def certify(
     Parameters
     ----------
     subject
-        A material.json, a folder of motes fit, a preset, a model with its values, FILE.py:FUNCTION, mitsuba:PLUGIN, a BSDF of
-        Mitsuba as XML or JSON, or measured data.
+        A material.json, a folder of motes fit, a preset, a model with its values, FILE.py:FUNCTION or FILE.c:FUNCTION,
+        mitsuba:PLUGIN, a BSDF of Mitsuba as XML or JSON, or measured data.
     as_model
         The model that it should be, such as "ggx(K_s=0.5, alpha=0.3)": rival conventions are told apart.
     against
@@ -49,7 +49,6 @@ def certify(
     """
     from motes.certification import certify as certified
     from motes.certification.certificate import Outcome
-    from motes.certification.opened import opened
     from motes.cli import console, paths
     from motes.cli.options import numbers
     from motes.cli.statuses import DONE, FAULT_FOUND
@@ -58,14 +57,12 @@ def certify(
     page = Path(output) if output is not None else None
     if page is not None and page.suffix.lower() != ".html":
         raise MotesError(f"{page} is no page by its name", "Write -o NAME.html")
-    given = numbers(set, "--set")
-    function = opened(subject, given, cosine)
     found = certified(
-        subject if function is None else function,
+        subject,
         as_model=as_model,
-        against=None if against is None else opened(against, {}, False) or against,
-        parameters=given if function is None else None,
-        cosine=cosine and function is None,
+        against=against,
+        parameters=numbers(set, "--set"),
+        cosine=cosine,
         hours=hours,
         date=date,
     )
