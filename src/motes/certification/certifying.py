@@ -44,9 +44,10 @@ def certify(
     Parameters
     ----------
     subject
-        A `Material`, a BRDF, the text of a model (``"oren_nayar(K_d=0.5, sigma_d=0.3)"``), the path of a ``material.json``, ``"FILE.py:FUNCTION"`` or ``"FILE.c:FUNCTION"``,
-        a BSDF of Mitsuba (a dictionary, ``"mitsuba:diffuse"``, XML, JSON, or itself; the variant is ``llvm_ad_rgb`` from then on), or a function ``f(wi, wo)``
-        of unit vectors (N, 3) away from the surface, z the normal, that returns (N,) or (N, C) in 1/sr.
+        A `Material`, a BRDF, the text of a model (``"oren_nayar(K_d=0.5, sigma_d=0.3)"``), the path of a ``material.json`` or of measured data,
+        ``"FILE.py:FUNCTION"`` or ``"FILE.c:FUNCTION"``, a BSDF of Mitsuba (a dictionary, ``"mitsuba:diffuse"``, XML, JSON, or itself; the variant is
+        ``llvm_ad_rgb`` from then on), or a function ``f(wi, wo)`` of
+        unit vectors (N, 3) away from the surface, z the normal, that returns (N,) or (N, C) in 1/sr.
     as_model
         The text of the model that it should be; parameters without a value are fitted to it.  Rival conventions are then told apart.
     against
