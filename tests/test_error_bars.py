@@ -216,3 +216,93 @@ def test_intervals_cover_where_noise_is_independent_and_where_the_model_misses()
     assert one > 50
     assert two > 85
     assert cover(RICHER, np.asarray(nearest), "independent")[0] < one - 15
+
+
+def test_the_bootstrap_finds_the_errors_of_blocks_and_shows_its_progress() -> None:
+    data, said = painted(RICHER), []
+    boot = motes.fit(data, PAINT, errors="bootstrap", progress=lambda *step: said.append(step))
+    sandwich = motes.fit(data, PAINT, errors="blocks")
+    assert (boot.errors.kind, boot.errors.blocks) == ("bootstrap", 24)
+    assert "by a bootstrap over 24 blocks" in str(boot.errors)
+    K_d, other = boot.parameters["K_d"], sandwich.parameters["K_d"]
+    assert_allclose(K_d.stderr, other.stderr, rtol=0.4)
+    assert_allclose(K_d.value, other.value)
+    assert ((K_d.intervals["95"][:, 0] < K_d.intervals["68"][:, 0]) & (K_d.intervals["68"][:, 0] < K_d.value)).all()
+    assert_allclose(np.sqrt(np.diag(boot.covariance))[:3], K_d.stderr)
+    assert [step for step in said if step[2] == "bootstrap"][-1][0] == 400
+    again = motes.fit(data, PAINT, errors="bootstrap").parameters["K_d"]
+    assert (again.stderr == K_d.stderr).all()
+
+
+def test_the_bootstrap_of_a_mean_is_that_of_its_formula() -> None:
+    """Of a Lambert surface, K_d is a weighted mean, whose block bootstrap has a closed form to first order."""
+    wi, wo = scattered(240, seed=3)
+    rng = np.random.default_rng(1)
+    from motes.fitting.direction_blocks import blocks_of
+
+    labels = blocks_of(wi, wo)
+    values = (0.5 + 0.05 * rng.standard_normal(24)[labels])[:, None] / np.pi
+    fit = motes.fit(Measurement.from_arrays(wi, wo, values), "lambert", errors="bootstrap")
+    weights = wi[:, 2] ** 2
+    mean = np.sum(weights * values[:, 0]) / np.sum(weights)
+    scores = np.bincount(labels, weights * (values[:, 0] - mean)) * np.pi / np.sum(weights)
+    expected = math.sqrt(24 / 23 * np.sum(scores**2))
+    assert_allclose(fit.parameters["K_d"].value, np.pi * mean)
+    assert_allclose(fit.parameters["K_d"].stderr, expected, rtol=0.12)  # 400 draws: 3.5 %; few blocks: 4 %
+    low, high = np.ravel(fit.parameters["K_d"].intervals["68"])
+    assert_allclose(0.5 * (high - low), expected, rtol=0.2)
+
+
+def test_profiles_of_what_is_linear_are_the_intervals_of_t() -> None:
+    data = painted(motes.Lambert(K_d=(0.6, 0.4, 0.25)))
+    for model in ("lambert", "lambert + torrance_sparrow(sigma_s=0.2)"):
+        plain_, profile = (motes.fit(data, model, errors=e) for e in ("independent", "profile"))
+        assert profile.errors.kind == "profile"
+        assert "intervals by the profile likelihood" in str(profile.errors)
+        K_d = profile.parameters["K_d"]
+        for level in LEVELS:
+            assert_allclose(K_d.intervals[level], plain_.parameters["K_d"].intervals[level], rtol=1e-3)
+        assert_allclose(K_d.stderr, plain_.parameters["K_d"].stderr)
+
+
+def test_a_profile_ends_where_the_fit_gets_too_bad() -> None:
+    """By refits of our own, with the parameter held at the ends: twice the rise is the square of the quantile, in one unit."""
+    fit = motes.fit(painted(count=60), PAINT, errors="profile", loss="linear")
+    sigma_s, least = fit.parameters["sigma_s"], fit.metrics["objective"]
+    rises = {}
+    for level in LEVELS:
+        ends = [motes.fit(painted(count=60), PAINT, fixed={"sigma_s": v}) for v in sigma_s.intervals[level]]
+        rises[level] = np.array([2 * (end.metrics["objective"] - least) for end in ends])
+        assert_allclose(rises[level][0], rises[level][1], rtol=0.02)  # on both sides
+    freedom = 60 * 3 - 6
+    ratio = (half_width(LEVELS["95"], freedom) / half_width(LEVELS["68"], freedom)) ** 2
+    assert_allclose(rises["95"].mean() / rises["68"].mean(), ratio, rtol=0.02)
+
+
+def test_a_profile_begins_at_a_bound() -> None:
+    surface = motes.OrenNayar(K_d=(0.6, 0.4, 0.25), sigma_d=0.0)
+    for seed in range(10):
+        wi, wo = scattered(200, seed=8)
+        clean = surface.eval(wi, wo)
+        values = clean * (1 + 0.02 * np.random.default_rng(seed).standard_normal(clean.shape))
+        sigma_d = motes.fit(Measurement.from_arrays(wi, wo, values), "oren_nayar", errors="profile").parameters[
+            "sigma_d"
+        ]
+        if sigma_d.value == 0:
+            break
+    assert sigma_d.value == 0
+    assert sigma_d.intervals["95"][0] == 0
+    assert 0 < sigma_d.intervals["68"][1] < sigma_d.intervals["95"][1] < 0.2
+
+
+def test_trends_have_a_bootstrap_and_no_profile() -> None:
+    one = painted(count=60)
+    values = np.stack([one.values[0] * (1 + 0.01 * k) for k in range(3)])
+    series = Measurement.from_arrays(one.wi, one.wo, values, times=np.arange(3.0), time_unit="h")
+    kinds = {"K_d": "linear", "sigma_d": "constant"}
+    fit = motes.fit(series, "oren_nayar", trends=kinds, errors="bootstrap")
+    other = motes.fit(series, "oren_nayar", trends=kinds, errors="blocks")
+    ratio = np.sqrt(np.diag(fit.trends["K_d"].trend.covariance / other.trends["K_d"].trend.covariance))
+    assert ((ratio > 0.6) & (ratio < 1.4)).all()
+    with pytest.raises(MotesError, match="errors 'profile' is for one time"):
+        motes.fit(series, "oren_nayar", trends=kinds, errors="profile")

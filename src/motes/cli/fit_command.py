@@ -18,7 +18,7 @@ def fit(
     loss: Literal["linear", "plain", "log", "cube_root"] = "linear",
     robust: Literal["none", "soft_l1", "huber", "cauchy"] = "none",
     weights: Literal["measurement", "uniform"] = "measurement",
-    errors: Literal["auto", "blocks", "independent"] = "auto",
+    errors: Literal["auto", "blocks", "independent", "bootstrap", "profile"] = "auto",
     fix: Annotated[tuple[str, ...], Parameter(negative="")] = (),
     per_channel: Annotated[tuple[str, ...], Parameter(negative="")] = (),
     time: MaybeWhole = None,
@@ -64,7 +64,8 @@ def fit(
         "measurement": as the format gives them (solid angles); "uniform": all alike.
     errors
         What error bars take as independent: "blocks" of directions, or "independent" samples; "auto": blocks, unless the
-        data are simulated or state uncertainties, and the residuals of neighbours do not go together.
+        data are simulated or state uncertainties, and the residuals of neighbours do not go together. "bootstrap": by
+        fits to blocks that are drawn; "profile": intervals by the profile likelihood.
     fix
         NAME=VALUE: hold a parameter; repeat for more.
     per_channel
@@ -122,9 +123,9 @@ def fit(
                 "--scale is for measurements, and this is a map",
                 "Divide by it when the map is made: exposure of motes stack",
             )
-        if errors == "blocks":
+        if errors not in ("auto", "independent"):
             raise MotesError(
-                "--errors blocks is not for maps: their errors are over independent samples",
+                f"--errors {errors} is not for maps: their errors are over independent samples",
                 "Leave it out, or fit one texel as a measurement",
             )
         from motes.cli.fitting_maps import fit_map

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import Any, final
 
 import numpy as np
@@ -18,7 +18,7 @@ from motes.fitting.students_t import half_width
 from motes.measurements.origin import not_measured
 
 #: What errors may be asked for.
-ERRORS = ("auto", "blocks", "independent")
+ERRORS = ("auto", "blocks", "independent", "bootstrap", "profile")
 #: Intervals, by name: 68 % is one standard deviation of the normal distribution.
 LEVELS = {"68": math.erf(math.sqrt(0.5)), "95": 0.95}
 #: Fewer blocks than these tell too little of a variance.
@@ -35,7 +35,7 @@ class ErrorBars:
     Attributes
     ----------
     kind
-        ``"blocks"`` or ``"independent"``.
+        ``"blocks"``, ``"independent"``, ``"bootstrap"`` or ``"profile"``.
     blocks
         How many blocks of directions; 0 where each sample counts by itself.
     why
@@ -47,7 +47,11 @@ class ErrorBars:
     why: str
 
     def __str__(self) -> str:
-        words = f"over {self.blocks} blocks of directions" if self.kind == "blocks" else "over independent samples"
+        words = f"over {self.blocks} blocks of directions" if self.blocks else "over independent samples"
+        words = {
+            "bootstrap": f"by a bootstrap {words}",
+            "profile": f"{words}, intervals by the profile likelihood",
+        }.get(self.kind, words)
         return f"{words}: {self.why}"
 
     def to_dict(self) -> dict[str, Any]:
@@ -84,6 +88,9 @@ def chosen(
     DataError
         Where blocks are asked for, and there are too few directions.
     """
+    if asked == "profile":  # whose scale is that of the errors
+        bars, labels = chosen("auto", provenance, stated, objective, x)
+        return replace(bars, kind="profile"), labels
     if asked == "independent":
         return ErrorBars("independent", 0, "as asked for"), None
     wi, wo = objective.directions
@@ -97,8 +104,8 @@ def chosen(
                 "errors='independent' takes samples as independent (--errors independent)",
             )
         return ErrorBars("independent", 0, few), None
-    if asked == "blocks":
-        return ErrorBars("blocks", count, "as asked for"), labels
+    if asked in ("blocks", "bootstrap"):
+        return ErrorBars(asked, count, "as asked for"), labels
     simulated = bool(not_measured(provenance))
     if provenance.get("format") and not simulated and not stated:
         return ErrorBars("blocks", count, "what a model misses of a material, neighbours share"), labels
@@ -130,6 +137,11 @@ def together(misses: Floats, labels: Labels) -> bool:
     return False
 
 
+def in_own_units(x: Floats, columns: Columns) -> Floats:
+    """Parameters (..., P) in their own units, from the coordinates of the fit."""
+    return np.where(columns.squared[:, 0] > 0, np.sqrt(np.maximum(x, 0.0)), x)
+
+
 def intervals(x: Floats, steps: Floats, freedom: Floats, columns: Columns) -> dict[str, Floats]:
     """Intervals (2, P) in the parameters' own units, by the names of `LEVELS`; NaN where there is no error.
 
@@ -142,11 +154,11 @@ def intervals(x: Floats, steps: Floats, freedom: Floats, columns: Columns) -> di
     freedom
         Degrees of freedom (P,).
     """
-    low, high, squared = columns.low[:, 0], columns.high[:, 0], columns.squared[:, 0] > 0
+    low, high = columns.low[:, 0], columns.high[:, 0]
     found = {}
     for name, level in LEVELS.items():
         # Quantiles of as many digits as errors have: those of thousands of channels are a few.
         widths = np.array([half_width(level, float(f"{f:.3g}")) for f in freedom])
         ends = np.clip(x + np.outer([-1.0, 1.0], widths * steps), low, high)
-        found[name] = np.where(squared, np.sqrt(np.maximum(ends, 0.0)), ends)
+        found[name] = in_own_units(ends, columns)
     return found

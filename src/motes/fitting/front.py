@@ -78,8 +78,10 @@ def fit(
         (`motes.trends.KINDS`) settles those.
     errors
         What error bars take as independent: ``"blocks"`` of directions, as residuals of a model that does not fit ask for;
-        ``"independent"`` samples; or ``"auto"``: blocks, unless the measurement is simulated, has uncertainties, or is arrays that nothing
-        is said of, and its residuals do not contradict that.  ``fit.errors`` says what it was, and why.
+        ``"independent"`` samples; or ``"auto"``: blocks, unless the measurement is simulated, has uncertainties, or is arrays
+        that nothing is said of, and its residuals do not contradict that.  Or by another way: ``"bootstrap"``, the fit again to
+        blocks that are drawn with replacement (errors and percentiles); ``"profile"``, intervals by the profile likelihood,
+        which follow valleys that bend (one time only).  ``fit.errors`` says what it was, and why.
     progress
         Called with (done, total, what).
 
@@ -133,7 +135,7 @@ def fit(
         data = scaled.middling(data)
         if data.n_times == 1:
             return fit_scan(data, model, free, progress)
-        data = scaled.of_scans(data, lambda scan: fit_scan(scan, model, free))
+        data = scaled.of_scans(data, lambda scan: fit_scan(scan, model, replace(free, errors="auto")))
     if data.n_times > 1:
         return fit_over_time(data, model, wishes, trends, progress)
     return fit_scan(data, model, wishes, progress)

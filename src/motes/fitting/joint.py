@@ -228,6 +228,9 @@ class Joint(Objective):
         """See `Objective.at_directions`: what a model misses at a direction it misses in every scan."""
         return replace(self, problem=self.problem.at_directions(rows))
 
+    def counting(self, times: Floats) -> Joint:
+        return replace(self, problem=self.problem.counting(times))
+
     def bic(self, objective: float) -> float:
         """The Bayesian information criterion of an objective, with a coefficient as a parameter, or as `inflation` of them."""
         count = sum(p.size * i for p, i in zip(self.parts, self.inflation or (1.0,) * len(self.parts), strict=True))

@@ -67,6 +67,10 @@ class Objective(ABC):
     def at_directions(self, rows: NDArray[np.intp]) -> Objective:
         """The part of it at some of the directions: those of a partition add up to the whole."""
 
+    @abstractmethod
+    def counting(self, times: Floats) -> Objective:
+        """The objective in which each direction counts so many times (N,)."""
+
     @property
     def algebra(self) -> Arrays:
         """What its matrices are computed with."""

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from motes.errors import DataError, MotesError
 from motes.fitting.choice import is_auto, summed
-from motes.fitting.error_bars import chosen
+from motes.fitting.estimating import estimated
 from motes.fitting.joint import Joint
 from motes.fitting.losses import ROBUST, Floats
 from motes.fitting.metrics import chi_square, deviation, distances
@@ -27,7 +27,7 @@ from motes.fitting.static import fit_scan
 from motes.fitting.time_findings import findings
 from motes.fitting.time_result import Alternative, ScanOutlier, TimeFit, TrendFit
 from motes.fitting.trend_choice import determined
-from motes.fitting.uncertainty import at_rest, uncertainty, verdict_of
+from motes.fitting.uncertainty import at_rest, verdict_of
 from motes.fitting.verdicts import Verdict
 from motes.material import Material
 from motes.measurements import Measurement
@@ -59,6 +59,11 @@ def fit_over_time(
             "Fit the one scan with time=",
         )
     tried: tuple[Trial, ...] = ()
+    if wishes.errors == "profile":
+        raise MotesError(
+            "errors 'profile' is for one time, and these are trends over several",
+            "Choose one with time= (--time), or errors='bootstrap' (--errors bootstrap)",
+        )
     if is_auto(model):
         say(0, 100, "choosing the model")
         model, tried = _choose(data, usable, wishes)
@@ -90,13 +95,13 @@ def fit_over_time(
         fits = fit_scans(problem, usable)
     say(40, 100, "choosing trends")
     joint, solution, alternatives, outliers = joint_fit(problem, hours, fits, usable, kinds, say)
-    return _result(data, setup, wishes, joint, solution, alternatives, outliers, fits, usable, tried, started)
+    return _result(data, setup, wishes, joint, solution, alternatives, outliers, fits, usable, tried, started, say)
 
 
 def _choose(data: Measurement, usable: NDArray[np.intp], wishes: Wishes) -> tuple[str, tuple[Trial, ...]]:
     """The candidate with the smallest BIC over the first, the middle and the last scan together."""
     looked_at = sorted({int(usable[0]), int(usable[len(usable) // 2]), int(usable[-1])})
-    trials = summed([fit_scan(data.at(t), "auto", wishes).tried for t in looked_at])
+    trials = summed([fit_scan(data.at(t), "auto", replace(wishes, errors="independent")).tried for t in looked_at])
     return next(trial.model for trial in trials if trial.chosen), trials
 
 
@@ -112,10 +117,11 @@ def _result(
     usable: NDArray[np.intp],
     tried: tuple[Trial, ...],
     started: float,
+    say: Progress,
 ) -> TimeFit:
     brdf, c = setup.brdf, at_rest(joint, solution.x[0])
-    bars, blocks = chosen(wishes.errors, data.provenance, setup.factor is not None, joint, c)
-    covariance = uncertainty(joint, c, blocks).covariance
+    bars, errors, _ = estimated(joint, c, wishes.errors, data.provenance, setup.factor is not None, say)
+    covariance = errors.covariance
     hours = np.asarray(data.times, float)
     results: dict[str, TrendFit] = {}
     for part, where in zip(joint.parts, joint.slices(), strict=True):

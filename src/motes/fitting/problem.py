@@ -136,6 +136,9 @@ class Problem(Objective):
         values, weights = self.values[..., rows, :], self.weights[..., rows, :]
         return replace(self, wi=self.wi[rows], wo=self.wo[rows], values=values, weights=weights)
 
+    def counting(self, times: Floats) -> Self:
+        return replace(self, weights=self.weights * times[:, None])
+
     def some_channels(self, channels: NDArray[np.intp]) -> Self:
         """The problem at some of the channels."""
         quantities, start = [], 0

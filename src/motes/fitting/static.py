@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from motes.directions import above
 from motes.errors import DataError
 from motes.fitting.choice import CANDIDATES, best_of, bic, check_names, is_auto
-from motes.fitting.error_bars import chosen, intervals
+from motes.fitting.estimating import estimated
 from motes.fitting.losses import LOSSES, ROBUST, Floats
 from motes.fitting.metrics import chi_square, deviation, distances, relative_rms
 from motes.fitting.plausibility import implausible_fit
@@ -24,7 +24,7 @@ from motes.fitting.scaled import NAME, Scaled, in_units
 from motes.fitting.setup import Wishes, prepare, sample_weights
 from motes.fitting.solver import Solution
 from motes.fitting.starts import starting_points
-from motes.fitting.uncertainty import at_rest, uncertainty
+from motes.fitting.uncertainty import at_rest
 from motes.fitting.verdicts import Status, Verdict
 from motes.material import Material
 from motes.measurements import Measurement
@@ -69,9 +69,10 @@ def fit_scan(data: Measurement, model: str | BRDF, wishes: Wishes, progress: Pro
         if progress:
             progress(len(texts), steps, f"{describe(best.brdf)}, all samples")
         best = _Attempt(data, describe(best.brdf), wishes, True, best.x if channels is None else None)
+    result = best.result(tried, started, progress)
     if progress:
         progress(steps, steps, "done")
-    return best.result(tried, started)
+    return result
 
 
 def _even_rows(n: int, count: int) -> NDArray[np.intp]:
@@ -211,10 +212,10 @@ class _Attempt:
         }
         return self.problem.model.with_parameters(values)
 
-    def result(self, tried: tuple[Trial, ...], started: float) -> Fit:
-        bars, blocks = chosen(self.wishes.errors, self.data.provenance, self.factor is not None, self.problem, self.x)
-        errors = uncertainty(self.problem, self.x, blocks)
-        between = intervals(self.x, errors.steps, errors.freedom, self.problem.columns)
+    def result(self, tried: tuple[Trial, ...], started: float, progress: Progress | None = None) -> Fit:
+        bars, errors, between = estimated(
+            self.problem, self.x, self.wishes.errors, self.data.provenance, self.factor is not None, progress
+        )
         found = self.fitted_brdf()
         where = {q.name: q for q in self.problem.quantities}
         parameters = {}
