@@ -113,6 +113,48 @@ def test_what_fails_is_seen(
     assert abs(len(bytes.fromhex(content)) - len(whole)) > 100
 
 
+PARSER = """
+import { createInterface } from 'node:readline';
+const held = [];
+let count = 0;
+for await (const line of createInterface({ input: process.stdin })) {
+  const message = JSON.parse(line);
+  if (!Array.isArray(message)) console.log('"ready"');
+  else for (const _ of message) {
+    let told = 'read';
+    count += 1;
+    if (count > 4) BAD;
+    console.log(JSON.stringify([told, 1]));
+  }
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("bad", "seen"),
+    [
+        ("told = 'TypeError: x is not a function'", "TypeError: x is not a function"),
+        ("process.exit(4)", "Node ended"),
+        ("for (;;) held[0] = 1", "nothing heard for 1.2 s"),
+        ("held.push(Buffer.alloc(3e8, 1))", "memory"),
+    ],
+)
+def test_what_fails_in_the_viewer_is_seen(
+    fuzz: ModuleType, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, bad: str, seen: str
+) -> None:
+    """A parser that is broken on purpose, from the fifth input of a process on."""
+    path = node()
+    (tmp_path / "fuzz.mjs").write_text(PARSER.replace("BAD", bad))
+    monkeypatch.setattr(fuzz.fuzz_viewer, "VIEWER", tmp_path)
+    monkeypatch.setattr(fuzz.fuzz_viewer, "node", lambda: path)
+    monkeypatch.setattr(fuzz.fuzz_viewer, "SECONDS", 0.2)
+    monkeypatch.setattr(fuzz.fuzz_viewer, "BATCH", 2)
+    ((_, outcome),) = fuzz.run(["viewer: link"], 4, 30, 1, 1)
+    assert outcome.failures[seen] >= 1
+    assert outcome.counts["read"] >= 1
+    assert outcome.examples[seen]
+
+
 def test_memory_is_counted(fuzz: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
     """What an input takes, and not what was taken before."""
 

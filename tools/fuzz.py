@@ -142,8 +142,8 @@ def work(name: str, count: int, seconds: float, seed: int, scratch: str, pipe: C
 class Running:
     """A format, and the process that is at work on it now."""
 
-    def __init__(self, name: str, count: int, seconds: float, seed: int) -> None:
-        self.name, self.count, self.seed = name, count, seed
+    def __init__(self, name: str, count: int, seconds: float, seed: int, folder: str) -> None:
+        self.name, self.count, self.seed, self.folder = name, count, seed, folder
         self.end = time.monotonic() + seconds
         self.before, self.now = Outcome(), Outcome()
         self.deaths = 0
@@ -151,12 +151,12 @@ class Running:
         self.start()
 
     def start(self) -> None:
-        self.scratch = tempfile.mkdtemp(dir=SHARED_MEMORY)
+        self.scratch = tempfile.mkdtemp(dir=self.folder)
         self.pipe, theirs = multiprocessing.Pipe(duplex=False)
         work_on = fuzz_viewer.work if self.name in fuzz_viewer.PARSERS else work
         left = (self.count - self.before.inputs, self.end - time.monotonic(), self.seed + self.deaths)
         context = multiprocessing.get_context("fork")
-        self.process = context.Process(target=work_on, args=(self.name, *left, self.scratch, theirs))
+        self.process = context.Process(target=work_on, args=(self.name, *left, self.scratch, theirs), daemon=True)
         self.process.start()
         theirs.close()
         self.heard = time.monotonic()
@@ -205,21 +205,22 @@ class Running:
 
 def run(names: list[str], count: int, seconds: float, seed: int, processes: int) -> Iterator[tuple[str, Outcome]]:
     """Every format in a process of its own, some at a time; as they end."""
-    waiting = list(names)
-    running: list[Running] = []
-    while waiting or running:
-        while waiting and len(running) < processes:
-            running.append(Running(waiting.pop(0), count, seconds, seed))
-        ready = wait([each.pipe for each in running], timeout=1)
-        for each in list(running):
-            alive = True
-            if each.pipe in ready:
-                alive = each.hear()
-            elif each.silent():
-                alive = each.end_silent()
-            if not alive:
-                running.remove(each)
-                yield each.name, each.before
+    with tempfile.TemporaryDirectory(dir=SHARED_MEMORY) as folder:
+        waiting = list(names)
+        running: list[Running] = []
+        while waiting or running:
+            while waiting and len(running) < processes:
+                running.append(Running(waiting.pop(0), count, seconds, seed, folder))
+            ready = wait([each.pipe for each in running], timeout=1)
+            for each in list(running):
+                alive = True
+                if each.pipe in ready:
+                    alive = each.hear()
+                elif each.silent():
+                    alive = each.end_silent()
+                if not alive:
+                    running.remove(each)
+                    yield each.name, each.before
 
 
 def everything() -> list[str]:
@@ -244,6 +245,7 @@ def main() -> int:
     if unknown := set(asked) - set(names):
         parser.error(f"no formats: {', '.join(sorted(unknown))}; there are {', '.join(names)}")
     seconds = 60 * given.minutes * given.processes / len(asked)
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # and tidy up
     start = time.monotonic()
     results: dict[str, Outcome] = {}
     for name, outcome in run(asked, given.count, seconds, given.seed, given.processes):
