@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import bz2
+import gzip
 import json
+import lzma
 import shlex
 import subprocess
 import sys
+import tracemalloc
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +24,7 @@ import maps_support as support
 from motes import maps
 from motes.directions import from_spherical
 from motes.errors import DataError, FormatError, MissingExtraError, MotesError, ParameterError
+from motes.maps import frames
 from motes.maps.blocks import LARGE, SMALL, Blocks, block_shape
 from motes.maps.zarrs import AXES
 
@@ -333,3 +338,58 @@ def test_a_damaged_chunk_is_a_sentence(tmp_path: Path) -> None:
     support.damage(made.path, "0/0/0/0/0")
     with pytest.raises(FormatError, match="f_r cannot be read"):
         maps.open_stack(made.path).texels(0, 0)
+
+
+CLASSES = {"zstd": "ZstdCodec", "gzip": "GzipCodec", "blosc": "BloscCodec"}
+
+
+def bombed(path: Path, codec: str, shards: tuple[int, ...] | None) -> Path:
+    """A map whose only chunk is replaced by one of ones, many thousand times as many as it should have, that the library itself has packed."""
+    made = small(path)
+    group = zarr.open_group(str(made.path), mode="r+", use_consolidated=False)
+    del group["f_r"]
+    shape = (6, 5, 2, 4, 3)
+    for name, size, dtype in (("f_r", shape, "f4"), ("large", (70 * 2**20,), "u1")):
+        outer = shards if name == "f_r" else None if shards is None else size
+        array = group.create_array(
+            name, shape=size, chunks=size, shards=outer, dtype=dtype, compressors=getattr(zarr.codecs, CLASSES[codec])(),
+            dimension_names=AXES if name == "f_r" else None,
+        )  # fmt: skip
+        array[...] = 1 if name == "f_r" else np.ones(size, dtype)
+    (file,) = [f for f in (made.path / "large" / "c").rglob("*") if f.is_file()]
+    (target,) = [f for f in (made.path / "f_r" / "c").rglob("*") if f.is_file()]
+    maps.open_stack(made.path).texels(0, 0)  # it is well so far
+    target.write_bytes(file.read_bytes())
+    del group["large"]
+    return made.path
+
+
+@pytest.mark.parametrize("shards", [None, (6, 5, 2, 4, 3)], ids=["chunks", "shards"])
+@pytest.mark.parametrize("codec", CLASSES)
+def test_a_chunk_that_decodes_to_more_than_it_should_is_refused_before(
+    tmp_path: Path, codec: str, shards: tuple[int, ...] | None
+) -> None:
+    path = bombed(tmp_path / "a.zarr", codec, shards)
+    found = maps.open_stack(path)
+    tracemalloc.start()
+    try:
+        with pytest.raises(FormatError, match=r"decodes to .* MiB or more, and a chunk has 0 MiB") as caught:
+            found.texels(0, 0)
+        assert tracemalloc.get_traced_memory()[1] < 16 * 2**20
+    finally:
+        tracemalloc.stop()
+    assert caught.value.hint
+
+
+def test_sizes_of_frames_are_read_as_the_library_writes_them() -> None:
+    """Frames of Zstandard of every width of the size, and streams in several members."""
+    numcodecs = pytest.importorskip("numcodecs")
+    for n in (1, 255, 256, 257, 65791, 65792, 10**6):
+        assert frames._zstd(numcodecs.Zstd().encode(bytes(n))[:18]) == n
+    assert frames._zstd(bytes.fromhex("28b52ffdc05b7f6d0911 6ba02030bd") + bytes(4)) > 2**40
+    members = gzip.compress(bytes(1000)) + gzip.compress(bytes(500))
+    assert frames._counted(frames.STREAMS["gzip"], members, 10**6) == 1500
+    assert frames._counted(frames.STREAMS["gzip"], members[:-30], 10**6) <= 1500
+    for name, packed in (("bz2", bz2.compress(bytes(10**7))), ("lzma", lzma.compress(bytes(10**7)))):
+        assert frames._counted(frames.STREAMS[name], packed, 2**30) == 10**7
+        assert 10**6 < frames._counted(frames.STREAMS[name], packed, 10**6) < 4 * 10**6

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from motes.errors import FormatError, MissingExtraError, MotesError
 from motes.files import budget
+from motes.maps.frames import check_frames
 from motes.material import CONVENTIONS as MATERIAL_CONVENTIONS
 
 NAME = "f_r"
@@ -200,7 +201,10 @@ def read(array: Any, where: object, part: Any = ...) -> NDArray[Any]:
     """
     check_chunks(array, where)
     try:
+        check_frames(array, where, part)
         return np.asarray(array[part])
+    except MotesError:
+        raise
     except MemoryError:
         raise
     except Exception as error:  # of codecs: RuntimeError, ValueError and others
