@@ -12,6 +12,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from motes.certification import glsl_specimen
+from motes.errors import MotesError
 from motes.exports.shaders import Shader
 
 Directions = NDArray[np.float32]
@@ -37,55 +39,29 @@ def checked(*command: str | Path) -> str:
 
 def open_gl() -> Any:
     """An OpenGL context without a window."""
-    moderngl = pytest.importorskip("moderngl", reason="moderngl is not installed")
+    pytest.importorskip("moderngl", reason="moderngl is not installed")
     try:
-        return moderngl.create_standalone_context(backend="egl", require=430)
-    except Exception as error:
+        return glsl_specimen.open_gl()
+    except MotesError as error:
         pytest.skip(f"no OpenGL 4.3 without a window here (EGL, llvmpipe): {error}")
 
 
 def run_glsl(context: Any, shader: Shader, version: str, wi: Directions, wo: Directions) -> NDArray[np.float32]:
     """The values of a shader, a pixel a pair of directions; (N, channels shown)."""
-    side = int(np.sqrt(len(wi)))
-    assert side * side == len(wi)
-    head = f"#version {version}\n" + ("precision highp float;\nprecision highp sampler2D;\n" if "es" in version else "")
-    call = "texelFetch(lights, at, 0).xyz, texelFetch(viewers, at, 0).xyz"
+    uniforms = {uniform.name: uniform.value for uniform in shader.uniforms}
+    call = "motes_a, motes_b"
     if shader.channels in (1, 3):
-        result = f"pixel = vec4({shader.name}({call}), 1.0);"
-    else:  # the channel in question
+        picture = glsl_specimen.pixels(
+            context, shader.source, version, f"pixel = vec4({shader.name}({call}), 1.0);", uniforms, wi, wo
+        )
+        return picture[:, :3]
+    each = []
+    for channel in range(shader.channels):
         result = f"float f[{shader.channels}]; {shader.name}({call}, f); pixel = vec4(f[channel]);"
-    main = f"""
-        uniform sampler2D lights;
-        uniform sampler2D viewers;
-        uniform int channel;
-        out vec4 pixel;
-        void main() {{ ivec2 at = ivec2(gl_FragCoord.xy); {result} }}"""
-    vertex = f"{head}in vec2 corner; void main() {{ gl_Position = vec4(corner, 0.0, 1.0); }}"
-    program = context.program(vertex_shader=vertex, fragment_shader=head + shader.source + main)
-    for uniform in shader.uniforms:
-        if uniform.name in program:
-            program[uniform.name] = uniform.value
-    textures = [
-        context.texture((side, side), 4, np.pad(w, ((0, 0), (0, 1))).astype("f4").tobytes(), dtype="f4")
-        for w in (wi, wo)
-    ]
-    for unit, (name, texture) in enumerate(zip(("lights", "viewers"), textures, strict=True)):
-        texture.use(unit)
-        program[name] = unit
-    corners = context.buffer(np.array([-1, -1, 3, -1, -1, 3], "f4"))
-    array = context.vertex_array(program, [(corners, "2f", "corner")])
-    target = context.framebuffer([context.texture((side, side), 4, dtype="f4")])
-    target.use()
-    pictures = []
-    for channel in range(1 if shader.channels in (1, 3) else shader.channels):
-        if "channel" in program:
-            program["channel"] = channel
-        array.render(context.TRIANGLES)
-        picture = np.frombuffer(target.read(components=4, dtype="f4"), "f4").reshape(-1, 4)
-        pictures.append(picture[:, :3] if shader.channels in (1, 3) else picture[:, :1])
-    for resource in (program, *textures, corners, array, target):
-        resource.release()
-    return np.concatenate(pictures, axis=1)
+        source = f"{shader.source}\nuniform int channel;\n"  # a constant would let the compiler shorten the arrays
+        with_channel = uniforms | {"channel": channel}
+        each.append(glsl_specimen.pixels(context, source, version, result, with_channel, wi, wo)[:, :1])
+    return np.concatenate(each, axis=1)
 
 
 # ---------------------------------------------------------------- WGSL

@@ -45,7 +45,7 @@ def certify(
     ----------
     subject
         A `Material`, a BRDF, the text of a model (``"oren_nayar(K_d=0.5, sigma_d=0.3)"``), the path of a ``material.json`` or of measured data,
-        ``"FILE.py:FUNCTION"`` or ``"FILE.c:FUNCTION"``, a BSDF of Mitsuba (a dictionary, ``"mitsuba:diffuse"``, XML, JSON, or itself; the variant is
+        ``"FILE.py:FUNCTION"`` (or ``.c``, ``.glsl``), a BSDF of Mitsuba (a dictionary, ``"mitsuba:diffuse"``, XML, JSON, or itself; the variant is
         ``llvm_ad_rgb`` from then on), or a function ``f(wi, wo)`` of
         unit vectors (N, 3) away from the surface, z the normal, that returns (N,) or (N, C) in 1/sr.
     as_model

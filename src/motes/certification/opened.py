@@ -1,4 +1,4 @@
-"""Functions out of files that a command line names, ``FILE.py:FUNCTION`` or ``FILE.c:FUNCTION``: they are run, so nobody else may be able to write them."""
+"""Functions out of files that a command line names, ``FILE.py:FUNCTION``, ``.c`` or ``.glsl``: they are run, so nobody else may be able to write them."""
 
 from __future__ import annotations
 
@@ -11,12 +11,13 @@ from typing import Any
 
 from motes.certification.c_specimen import of_c
 from motes.certification.function_specimen import of_function
+from motes.certification.glsl_specimen import of_glsl
 from motes.certification.specimen import Specimen
 from motes.errors import FormatError, MotesError
 from motes.files.trust import distrusted
 
 LARGEST_SOURCE = 2**20
-_NAMED = re.compile(r"(?P<file>.+\.(?P<kind>py|c|h)):(?P<function>[A-Za-z_]\w*)")
+_NAMED = re.compile(r"(?P<file>.+\.(?P<kind>py|c|h|glsl|frag|fs)):(?P<function>[A-Za-z_]\w*)")
 
 
 def opened(text: str, parameters: Mapping[str, Any], cosine: bool) -> Specimen | None:
@@ -37,7 +38,8 @@ def opened(text: str, parameters: Mapping[str, Any], cosine: bool) -> Specimen |
     path, function = Path(named["file"]), named["function"]
     source = source_of(path)
     if named["kind"] != "py":
-        return of_c(path, source, function, parameters, cosine)
+        of_source = of_c if named["kind"] in ("c", "h") else of_glsl
+        return of_source(path, source, function, parameters, cosine)
     module = _run(path)
     found = {part: getattr(module, f"{function}{part}", None) for part in ("", "_sample", "_pdf", "_gradient")}
     if not callable(found[""]):

@@ -30,8 +30,8 @@ def certify(
     Parameters
     ----------
     subject
-        A material.json, a folder of motes fit, a preset, a model with its values, FILE.py:FUNCTION or FILE.c:FUNCTION,
-        mitsuba:PLUGIN, a BSDF of Mitsuba as XML or JSON, or measured data.
+        A material.json, a folder of motes fit, a preset, a model with its values, FILE.py:FUNCTION, FILE.c:FUNCTION or
+        FILE.glsl:FUNCTION, mitsuba:PLUGIN, a BSDF of Mitsuba as XML or JSON, or measured data.
     as_model
         The model that it should be, such as "ggx(K_s=0.5, alpha=0.3)": rival conventions are told apart.
     against
