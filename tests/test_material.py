@@ -283,3 +283,13 @@ def test_what_does_not_fit_is_refused(tmp_path: Path, change: dict[str, object],
     with pytest.raises(MotesError, match=message) as caught:
         load(path)
     assert caught.value.hint
+
+
+def test_channels_are_named_after_what_the_material_has() -> None:
+    colour = Lambert(K_d=(0.1, 0.2, 0.3))
+    assert Material(Lambert(K_d=0.5)).channels == ("grey",)
+    assert Material(colour).channels == ("R", "G", "B")
+    assert Material(colour, wavelengths=(450, 550, 650)).channels == ("450 nm", "550 nm", "650 nm")
+    assert Material(Lambert(K_d=(0.1, 0.2))).channels == ("channel 1", "channel 2")
+    with pytest.raises(ParameterError, match="2 channels are named, and a parameter has 3 values"):
+        Material(colour, wavelengths=(450, 550))

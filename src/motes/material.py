@@ -12,7 +12,7 @@ from typing import Any, Self, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from motes.channels import GREY
+from motes.channels import default_names, spectral_names
 from motes.errors import FormatError, MotesError, ParameterError
 from motes.files import structured, write_text
 from motes.models import BRDF, describe, parse
@@ -40,7 +40,8 @@ class Material:
     name
         For people.
     channels
-        Names of the channels, as many as the BRDF has (one name serves a grey BRDF).
+        Names of the channels, as many as the BRDF has (one name serves a grey BRDF); by default those of the wavelengths, else grey, or
+        R, G, B, or numbers.
     wavelengths
         Of the channels [nm]; empty when they are not spectral.
     trends
@@ -51,25 +52,30 @@ class Material:
 
     brdf: BRDF
     name: str = "material"
-    channels: tuple[str, ...] = GREY
+    channels: tuple[str, ...] = ()
     wavelengths: tuple[float, ...] = ()
     trends: Mapping[str, AnyTrend] = field(default_factory=dict)
     about: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        names = [slot.name for slot in self.brdf.slots()]
-        unknown = [name for name in self.trends if name not in names]
+        slots = [slot.name for slot in self.brdf.slots()]
+        unknown = [name for name in self.trends if name not in slots]
         if unknown:
             raise ParameterError(
-                f"{describe(self.brdf)} has no parameter {unknown[0]!r} to follow a trend", f"It has {', '.join(names)}"
+                f"{describe(self.brdf)} has no parameter {unknown[0]!r} to follow a trend", f"It has {', '.join(slots)}"
             )
+        every = (self.brdf.channels, *(_width(trend) for trend in self.trends.values()))
+        widths = {width for width in every if width is not None and width > 1}
+        if not self.channels:
+            names = spectral_names(self.wavelengths) or default_names(max(widths, default=1))
+            object.__setattr__(self, "channels", names)
         count = len(self.channels)
         if self.wavelengths and (len(self.wavelengths) != count or not all(0 < w < np.inf for w in self.wavelengths)):
             raise ParameterError(
                 f"{len(self.wavelengths)} wavelengths do not fit {count} channels, or are no lengths",
                 "Give one above 0 [nm] for each channel, or none",
             )
-        widths = {self.brdf.channels, *(_width(trend) for trend in self.trends.values())} - {None, 1, count}
+        widths -= {count}
         if widths and count > 1:
             raise ParameterError(
                 f"{count} channels are named, and a parameter has {widths.pop()} values", "Give as many names as values"
@@ -155,7 +161,7 @@ class Material:
             return cls(
                 brdf=brdf,
                 name=str(data.get("name", "material")),
-                channels=tuple(str(c) for c in data.get("channels", GREY)),
+                channels=tuple(str(c) for c in data.get("channels", ())),
                 wavelengths=tuple(float(w) for w in data.get("wavelengths_nm", ())),
                 trends={str(name): trend_from_dict(t) for name, t in dict(data.get("trends", {})).items()},
                 about=dict(data.get("about", {})),
