@@ -13,6 +13,7 @@ process; the next process goes on after it.
 from __future__ import annotations
 
 import argparse
+import ctypes
 import json
 import logging
 import multiprocessing
@@ -25,7 +26,7 @@ import tempfile
 import time
 import warnings
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
 
@@ -45,6 +46,7 @@ SECONDS = 10.0  # of computing
 SILENCE = 60.0  # seconds
 EACH = 200  # inputs after which the memory that a process has is looked at again
 MOST_DEATHS = 20
+M_ARENA_MAX = -8  # of malloc.h
 SHARED_MEMORY = "/dev/shm" if Path("/dev/shm").is_dir() else None
 
 
@@ -89,6 +91,12 @@ def space() -> int:
     return int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
 
 
+def one_arena() -> None:
+    """Have the C library keep all memory in one place: otherwise it reserves 64 MiB of address space for each new thread."""
+    with suppress(AttributeError, OSError):  # another C library
+        ctypes.CDLL(None).mallopt(M_ARENA_MAX, 1)
+
+
 def most_held(record: int) -> int:
     """The most memory [bytes] that this process held since the call before; `record` is /proc/self/clear_refs, open."""
     most = 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
@@ -98,6 +106,7 @@ def most_held(record: int) -> int:
 
 def work(name: str, count: int, seconds: float, seed: int, scratch: str, pipe: Connection) -> None:
     """Damage, read, count; in a process of its own."""
+    one_arena()
     warnings.simplefilter("error")
     logging.disable()  # of libraries: what is raised is what counts
     rng, outcome = np.random.default_rng(seed), Outcome()
