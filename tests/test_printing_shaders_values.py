@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -20,10 +19,8 @@ WI, WO = directions()
 
 
 @pytest.fixture(scope="module")
-def gl() -> Iterator[Any]:
-    context = open_gl()
-    yield context
-    context.release()
+def gl() -> Any:
+    return open_gl()  # one for the process
 
 
 @pytest.fixture(scope="module")

@@ -82,7 +82,15 @@ def pixels(
             {result}
         }}"""
     vertex = f"{head}in vec2 corner; void main() {{ gl_Position = vec4(corner, 0.0, 1.0); }}"
-    program = context.program(vertex_shader=vertex, fragment_shader=head + source + main)
+    with context:  # current, whatever else draws in this process
+        return _drawn(context, vertex, head + source + main, uniforms, a, b, side)
+
+
+def _drawn(
+    context: Any, vertex: str, fragment: str, uniforms: Mapping[str, Any], a: Numbers, b: Numbers, side: int
+) -> NDArray[np.float32]:
+    """Two lists of vectors as textures, one picture of answers."""
+    program = context.program(vertex_shader=vertex, fragment_shader=fragment)
     for name, value in uniforms.items():
         if name in program:
             program[name] = value
