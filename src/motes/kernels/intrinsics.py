@@ -12,6 +12,7 @@ from llvmlite import ir
 from numba.core import types
 from numba.extending import intrinsic
 
+NEAR = 2  # how near `prefetch` brings memory: 3 is the first cache, 2 the second
 ANY_ORDER = ("reassoc", "nsz", "contract")
 
 
@@ -57,6 +58,22 @@ def store(typing: Any, scalar: Any, address: Any, index: Any, value: Any, phase:
         return context.get_dummy_value()
 
     return types.none(scalar, types.int64, types.int64, scalar.dtype, phase, lane, lanes), generate
+
+
+@intrinsic
+def prefetch(typing: Any, address: Any) -> Any:
+    """Ask for the memory at an address to be brought near, without waiting for it; an address that there is not does no harm."""
+
+    def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        pointer = builder.inttoptr(args[0], ir.IntType(8).as_pointer())
+        word = ir.IntType(32)
+        function = builder.module.globals.get("llvm.prefetch.p0") or ir.Function(
+            builder.module, ir.FunctionType(ir.VoidType(), [pointer.type, word, word, word]), "llvm.prefetch.p0"
+        )
+        builder.call(function, [pointer, ir.Constant(word, 0), ir.Constant(word, NEAR), ir.Constant(word, 1)])
+        return context.get_dummy_value()
+
+    return types.none(types.int64), generate
 
 
 @intrinsic

@@ -32,6 +32,8 @@ STATE = (
 NO_VERDICT = 255
 # After so many iterations a block in which few texels still run leaves them to a block of such texels.
 LONG_RUN = 6
+# Lines of the next block's memory that are asked for at a time: a processor keeps about so many requests.
+LINES_AHEAD = 16
 
 
 @dataclass(frozen=True)
@@ -129,7 +131,7 @@ class Layout:
             f"NARROW, OPENING, SUMS, BASIS, ROWS, STATE = {self.narrow}, {self.opening}, {self.sums}, {self.basis}, {self.rows}, {len(STATE)}",
             f"TRIANGLE, LOCAL_TRIANGLE = {self.triangle}, {self.local_triangle}",
             *(f"{name.upper()} = {SCALARS.index(name)}" for name in ("running", "ending", "brightness")),
-            f"NONE, ROUNDS, LONG = {NO_VERDICT}, {ROUNDS}, {LONG_RUN}",
+            f"NONE, ROUNDS, LONG, LINES = {NO_VERDICT}, {ROUNDS}, {LONG_RUN}, {LINES_AHEAD}",
         ]
         start = 0
         for name, rows in (*self.places().items(), ("opened", 0)):
@@ -141,7 +143,7 @@ class Layout:
         """The functions of the driver."""
         loops = self._normal(), self._closing(), self._residuals() if self.robust else ""
         return "\n\n".join(
-            part.strip("\n") for part in (driver_text.CLEAR, driver_text.LOAD, *loops, self._fit()) if part
+            part.strip("\n") for part in (driver_text.CLEAR, driver_text.LOAD, driver_text.AHEAD, *loops, self._fit()) if part
         )
 
     def _normal(self) -> str:

@@ -28,6 +28,16 @@ def load_block(source, stride, last, given, samples, times, columns, row, data, 
             store(F, block, n, BLANK, "plain", 0, 1)
 """
 
+AHEAD = """
+@part
+def ahead(address, end):
+    last = min(address + 64 * LINES, end)
+    while address < last:
+        prefetch(address)
+        address += 64
+    return address
+"""
+
 PASS = """
 @part
 def {name}(x, room, own, columns, row, basis, times, samples, data{total}):
@@ -160,6 +170,8 @@ def fit(
         for t in range(times):
             opened = room + AT_OPENED + 8 * LANES * OPENING * t
             opening_sums(columns, row, room + AT_CONSTANTS, data + 4 * LANES * WIDTH * samples * t, samples, opened)
+        # The next block's memory, a little at a time between the steps: more at once would have to be waited for.
+        coming, end = values + (first + LANES) * stride, values + min(texels, first + 2 * LANES) * stride
         # ---- where the lanes start
         for n in range(LANES):
             texel = first + min(n, count - 1)
@@ -183,6 +195,7 @@ def fit(
             if n < count:
                 store(D, states, texel * STATE + 6, used, "plain", 0, 1)
                 store(D, states, texel * STATE + 7, brightness, "plain", 0, 1)
+        coming = ahead(coming, end)
         normal_equations(state, room, own, columns, row, basis, times, samples, data, state + 8 * LANES * SIZE)
         for iteration in range(limit):
             running = 0
@@ -191,6 +204,7 @@ def fit(
             few = min(leave, count // 2) if iteration >= LONG else 0
             if running <= few:
                 break
+            coming = ahead(coming, end)
             held(state, box, own, stops)
             for again in range(ROUNDS):
                 bounded_step(state, box, stops, next_stops)
@@ -200,6 +214,7 @@ def fit(
                     leaving += load(D, stops, 2 * SIZE * LANES + n, "other", 1)
                 if not leaving > D(0.0):
                     break
+            coming = ahead(coming, end)
             proposal(state, box, stops, trial)
             going = 0
             for n in range(LANES):
@@ -209,7 +224,9 @@ def fit(
                 ended(state, trial, next_state)
                 state, next_state = next_state, state
                 break
+            coming = ahead(coming, end)
             normal_equations(trial, room, own, columns, row, basis, times, samples, data, fresh)
+            coming = ahead(coming, end)
             judged(state, box, trial, fresh, next_state)
             state, next_state = next_state, state
         for n in range(count):
