@@ -37,6 +37,10 @@ LAST_REDUCTION = 1e-4
 # How often a step is solved for again because something left the box.
 ROUNDS = 3
 
+# A fit whose normal equations are approximate has ended elsewhere when the exact gradient there promises more than this share of a residual's variance
+# (half the square of 0.06 standard errors; the last step takes care of less), and of the data's square.
+MOST_DRIFT, LEAST_DRIFT = 2e-3, 1e-11
+
 #: Why a lane ended, by the code that `proposal` gives it; 0 goes on.
 ENDINGS = (
     Status.MAX_ITERATIONS,
@@ -209,5 +213,27 @@ def polished(
     promised = -0.5 * algebra.total(step * gradient)
     zero = 0.0 * objective
     small = flag(algebra, algebra.less(promised, LAST_REDUCTION * objective + zero))
-    converged = flag(algebra, algebra.less(0.5 + zero, ending)) * flag(algebra, algebra.less(ending, 4.5 + zero))
-    return algebra.minimum(algebra.maximum(x + step * (small * converged), low), high)
+    return algebra.minimum(algebra.maximum(x + step * (small * _by_itself(algebra, ending)), low), high)
+
+
+def adrift(
+    algebra: Algebra,
+    variance: Array,
+    brightness: Array,
+    ending: Array,
+    gradient: Array,
+    inverse: Array,
+    among: Array,
+) -> Array:
+    """1 where a fit that ended by itself did not end where the exact objective, with this `gradient`, has its minimum (B,).
+
+    `variance` is that of a residual, `brightness` the data's sum of squares.
+    """
+    promised = 0.5 * algebra.total(algebra.times(inverse, gradient) * among * gradient)
+    much = flag(algebra, algebra.less(MOST_DRIFT * variance + LEAST_DRIFT * brightness, promised))
+    return much * _by_itself(algebra, ending)
+
+
+def _by_itself(algebra: Algebra, ending: Array) -> Array:
+    zero = 0.0 * ending
+    return flag(algebra, algebra.less(0.5 + zero, ending)) * flag(algebra, algebra.less(ending, 4.5 + zero))

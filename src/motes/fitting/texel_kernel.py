@@ -14,14 +14,14 @@ from motes.fitting.losses import Floats, Robust
 from motes.fitting.printed import module
 from motes.fitting.printed.coefficients import Coefficients
 from motes.fitting.printed.driver import NO_VERDICT, STATE
-from motes.fitting.printed.normal import NormalEquations
+from motes.fitting.printed.normal import NormalEquations, Tables
 from motes.fitting.printed.rows import LANES
 from motes.fitting.printed.sums import UNROLL
+from motes.fitting.texel_columns import Sampled
 from motes.fitting.texel_setup import TexelSetup
 from motes.graph import tracing
 from motes.kernels import engine
-from motes.kernels import numpy as numpy_code
-from motes.models import BRDF, describe
+from motes.models import describe
 from motes.trends import KINDS
 
 Singles = NDArray[np.float32]
@@ -29,7 +29,7 @@ Singles = NDArray[np.float32]
 MAX_ITERATIONS = 60
 #: A texel has converged when a step promises less than this share of its objective; that step is taken, and one more by the gradient there.  Moments are
 #: asked for more than they can tell, so that rounding decides; under a robust function what is left after a step is about as large as the step.
-REDUCTION = {"moments": 1e-9, "direct": 1e-7}
+REDUCTION = {"moments": 1e-9, "direct": 1e-7, "series": 2e-6}
 ROBUST_REDUCTION = 1e-10
 TASK = 128 * LANES  # texels that a thread takes at a time
 # Blocks with at most so many texels left hand them over to blocks of such texels; not worth it for few.
@@ -87,10 +87,17 @@ class Raw:
             part[rows] = getattr(other, name)
 
 
-class Kernel:
-    """The module of a form of the normal equations: ``"direct"``, or the ``"cheapest"``."""
+@dataclass(frozen=True)
+class Recorded:
+    """The model of a fit as a graph, and what it is at the fit's directions."""
 
-    def __init__(self, fit: TexelSetup, form: str, robust: Robust) -> None:
+    trace: tracing.Trace
+    fitted: list[str]
+    sampled: Sampled
+
+    @classmethod
+    def of(cls, fit: TexelSetup) -> Recorded:
+        """Of what is asked for."""
         values = {
             q.name: (np.full(fit.channels, q.parameter.default) if q.per_channel else q.parameter.default)
             for q in fit.quantities
@@ -99,7 +106,27 @@ class Kernel:
         fitted = [q.name for q in fit.quantities]
         squared = [q.name for q in fit.quantities if q.parameter.squared]
         trace = tracing.trace(model, fit.channels, horizon=False, squared=squared)
-        equations = module.equations(trace, fitted, fit.loss, robust, form)
+        return cls(trace, fitted, Sampled(trace, model, fitted, fit))
+
+    def equations(self, fit: TexelSetup, form: str, robust: Robust) -> NormalEquations:
+        """The normal equations in the form ``"direct"``, or in the ``"cheapest"`` of it and ``"moments"``."""
+        return module.equations(self.trace, self.fitted, fit.loss, robust, form)
+
+    def equations_of_whole(self, fit: TexelSetup, robust: Robust) -> NormalEquations | None:
+        """Those in the form ``"series"`` where that is cheaper, which serves texels without trends that miss nothing."""
+        if fit.parts:
+            return None
+        bounds = {
+            q.name: (float(fit.facts.low[q.where.start, 0]), float(fit.facts.high[q.where.start, 0]))
+            for q in fit.quantities
+        }
+        return module.equations_of_whole(self.trace, self.fitted, fit.loss, robust, self.sampled, bounds, len(fit.wi))
+
+
+class Kernel:
+    """The module of a form of the normal equations."""
+
+    def __init__(self, fit: TexelSetup, recorded: Recorded, equations: NormalEquations, robust: Robust) -> None:
         printed = module.module(equations, _coefficients(fit), fit.facts)
         self.form, self.source = printed.form, printed.source
         self.driver = engine.module(printed.source, f"the fit of {describe(fit.brdf)} to texels").fit
@@ -107,43 +134,41 @@ class Kernel:
         self.times = 1 if fit.hours is None else len(fit.hours)
         self.given = len(fit.wi)
         self.samples = -(-self.given // UNROLL) * UNROLL
-        self.columns = self._columns(printed.columns, trace, equations, model, fit)
-        self.basis = _basis(fit)
+        self.columns = self._columns(printed.columns, recorded.sampled, equations.tables)
+        self.basis = _basis(fit, equations.tables)
         facts = fit.facts
+        low, high = facts.low[:, 0].copy(), facts.high[:, 0].copy()
+        if equations.tables is not None:
+            column = equations.model.parameters.index(equations.tables.parameter)
+            low[column], high[column] = equations.tables.low, equations.tables.high
+        self.low, self.high = low, high
+        self.narrowed_low, self.narrowed_high = low > facts.low[:, 0], high < facts.high[:, 0]
         whole = float(np.count_nonzero(fit.weights) * self.channels * self.times)
         numbers = np.array([REDUCTION[self.form] if robust.name == "none" else ROBUST_REDUCTION, ROUNDING, whole])
         self.box = np.concatenate(
             [
-                facts.low[:, 0],
-                facts.high[:, 0],
+                low,
+                high,
                 numbers,
                 *(part[:, 0] for part in (facts.span, facts.least, facts.most, facts.rest)),
             ]
         )
         self.items = printed.layout.room(self.times, self.given, self.samples)
 
-    def _columns(
-        self,
-        symbols: tuple[tracing.Symbol, ...],
-        trace: tracing.Trace,
-        equations: NormalEquations,
-        model: BRDF,
-        fit: TexelSetup,
-    ) -> Singles:
-        """What depends on directions alone, a row each."""
-        held = [p for p in trace.parameters if p.symbol not in equations.model.parameters]
-        leaves = {leaf: f"d{k}" for k, leaf in enumerate(trace.directions)}
-        leaves |= {trace.graph.leaf(name): name for name in ("root", "cosine")}
-        leaves |= {p.symbol: f"p{k}" for k, p in enumerate(held)}
-        slots = {slot.name: slot for slot in model.slots()}
-        numbers = [np.ravel(slots[p.slot].value)[p.channel or 0] for p in held]
-        function = numpy_code.scalar_function("columns", leaves, symbols)
-        with np.errstate(all="ignore"):
-            results = function(*fit.wi.T, *fit.wo.T, np.sqrt(fit.weights), fit.wi[:, 2], *map(float, numbers))
-        rows = np.zeros((max(1, len(results)), self.samples), np.float32)
-        for row, result in zip(rows, results, strict=False):
-            row[: self.given] = result
-            row[self.given :] = row[self.given - 1]
+    def _columns(self, symbols: tuple[tracing.Symbol, ...], sampled: Sampled, tables: Tables | None) -> Singles:
+        """What depends on directions alone, a row each; 0 for samples that do not exist."""
+        given = {} if tables is None else tables.columns
+        rows = np.zeros((max(1, len(symbols)), self.samples), np.float32)
+        plain = [k for k, symbol in enumerate(symbols) if symbol not in given]
+        if plain and tables is not None:
+            rows[plain] = sampled.columns([symbols[k] for k in plain], self.samples - self.given)
+        elif plain:
+            rows[plain, : self.given] = sampled.columns([symbols[k] for k in plain])
+            # Any direction will do where there is none: what is kept of the data there counts for nothing.
+            rows[:, self.given :] = rows[:, self.given - 1 : self.given]
+        for k, symbol in enumerate(symbols):
+            if symbol in given:
+                rows[k, : self.given] = given[symbol]
         return rows
 
     # ------------------------------------------------------------ fits
@@ -268,8 +293,10 @@ def _coefficients(fit: TexelSetup) -> Coefficients:
     return Coefficients(graph, tuple(leaves), tuple(b for columns in basis.values() for b in columns), tuple(values))
 
 
-def _basis(fit: TexelSetup) -> Floats:
-    """What trends need of the times: (T, B)."""
+def _basis(fit: TexelSetup, tables: Tables | None) -> Floats:
+    """What trends need of the times, (T, B); or what series have that all texels share, (1, B)."""
+    if tables is not None:
+        return np.array([list(tables.numbers.values())])
     if not fit.parts:
         return np.zeros((1, 1))
     assert fit.hours is not None

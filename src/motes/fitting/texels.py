@@ -20,7 +20,8 @@ from motes.fitting.metrics import deviation
 from motes.fitting.printed.driver import NO_VERDICT
 from motes.fitting.printed.module import MOST_COEFFICIENTS
 from motes.fitting.second_look import REFIT_ITERATIONS, REFIT_REDUCTION, Rows, Solved, look_again
-from motes.fitting.texel_kernel import Kernel, Raw, Singles
+from motes.fitting.texel_forms import Forms
+from motes.fitting.texel_kernel import Kernel, Raw, Recorded, Singles
 from motes.fitting.texel_setup import Column, TexelSetup
 from motes.fitting.texels_slow import fit_slowly
 from motes.fitting.texels_starts import representative_starts
@@ -92,8 +93,12 @@ class TexelSolver(TexelSetup):
     """
 
     @cached_property
-    def _kernels(self) -> dict[tuple[str, str], Kernel]:
+    def _kernels(self) -> dict[tuple[str, str], Kernel | Forms]:
         return {}
+
+    @cached_property
+    def _recorded(self) -> Recorded:
+        return Recorded.of(self)
 
     # ------------------------------------------------------------ fits
 
@@ -173,7 +178,7 @@ class TexelSolver(TexelSetup):
 
     def _robustly(self, data: Singles, plain: Raw, covariance: bool) -> tuple[Raw, Floats]:
         """As `motes.fit` does it: the noise is taken from a plain fit, the mild function comes first; and the noise of each texel (M,)."""
-        mild, robust = self.kernel("direct", ROBUST["soft_l1"]), self.kernel("direct", self.robust)
+        mild, robust = self._kernel("direct", ROBUST["soft_l1"]), self._kernel("direct", self.robust)
         start = np.where(np.isfinite(plain.points), plain.points, self.facts.low[:, 0])
         noise = deviation(mild.residuals(data, start))
         first = mild.fit(data, start, noise=noise, close=False)
@@ -195,7 +200,7 @@ class TexelSolver(TexelSetup):
             )
         return data
 
-    def _best_start(self, kernel: Kernel, data: Singles, starts: Floats) -> Floats:
+    def _best_start(self, kernel: Kernel | Forms, data: Singles, starts: Floats) -> Floats:
         """For every texel the start from which the parameters that are not `_curved` alone get closest to the data."""
         if len(starts) == 1:
             return np.repeat(starts, len(data), axis=0)
@@ -212,7 +217,7 @@ class TexelSolver(TexelSetup):
         best[~np.isfinite(least)] = starts[0]
         return best
 
-    def _tried_elsewhere(self, kernel: Kernel, data: Singles, starts: Floats, raw: Raw) -> None:
+    def _tried_elsewhere(self, kernel: Kernel | Forms, data: Singles, starts: Floats, raw: Raw) -> None:
         """Fit texels that ended at a bound of a curved column from all starts, and keep what is best.
 
         A highlight of the least width allowed is mostly a false minimum: a spike at one sample.
@@ -258,7 +263,7 @@ class TexelSolver(TexelSetup):
                 points: Floats,
                 held: NDArray[np.bool_],
                 fits: Rows,
-                kernel: Kernel = kernel,
+                kernel: Kernel | Forms = kernel,
                 rows: Rows = rows,
                 own: Floats | None = own,
             ) -> Floats:
@@ -269,7 +274,7 @@ class TexelSolver(TexelSetup):
                 return ends.state("objective")
 
             def diagonal(
-                points: Floats, fits: Rows, kernel: Kernel = kernel, rows: Rows = rows, own: Floats | None = own
+                points: Floats, fits: Rows, kernel: Kernel | Forms = kernel, rows: Rows = rows, own: Floats | None = own
             ) -> Floats:
                 return kernel.diagonal(data[rows[fits]], points, None if own is None else own[fits])
 
@@ -290,11 +295,23 @@ class TexelSolver(TexelSetup):
         whole = _own_covariance(raw.covariances, raw.errors) if raw.covariances.shape[1] else None
         return TexelFit(raw.values, raw.errors, rms, status, iterations, raw.codes, whole)
 
-    def kernel(self, form: str, robust: Robust = ROBUST["none"]) -> Kernel:
-        """The compiled fit in a form of the normal equations: ``"direct"``, or ``"cheapest"``."""
+    def kernel(self, form: str, robust: Robust = ROBUST["none"]) -> Kernel | Forms:
+        """The compiled fit in a form of the normal equations: ``"direct"``, ``"moments"`` (or direct where that is cheaper), or the ``"cheapest"``."""
         if (form, robust.name) not in self._kernels:
-            self._kernels[form, robust.name] = Kernel(self, form, robust)
+            self._kernels[form, robust.name] = self._made(form, robust)
         return self._kernels[form, robust.name]
+
+    def _made(self, form: str, robust: Robust) -> Kernel | Forms:
+        quick = self._recorded.equations_of_whole(self, robust) if form == "cheapest" else None
+        if quick is not None:
+            return Forms(Kernel(self, self._recorded, quick, robust), self._kernel("moments", robust))
+        return Kernel(self, self._recorded, self._recorded.equations(self, form, robust), robust)
+
+    def _kernel(self, form: str, robust: Robust) -> Kernel:
+        """One that serves all texels."""
+        kernel = self.kernel(form, robust)
+        assert isinstance(kernel, Kernel)
+        return kernel
 
     def starts(self, values: ArrayLike) -> Floats:
         """Where fits of texels like these start well: up to six parameter vectors (K, P), from full searches on each of a few texels.

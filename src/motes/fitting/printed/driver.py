@@ -25,6 +25,7 @@ STATE = (
     "partial",
     "noise",
     "asks",
+    "adrift",
 )
 
 
@@ -50,8 +51,8 @@ class Layout:
         Rows of what depends on parameters alone, in float32 and in float64; of sums over samples that are made once, and at every point.
     basis
         What trends need of a time.
-    static, robust, by_sample
-        One time, no trends; a robust function; a sample counts only with all its channels.
+    static, robust, by_sample, whole
+        One time, no trends; a robust function; a sample counts only with all its channels; no sample may be missing, and sums are series.
     """
 
     size: int
@@ -67,6 +68,7 @@ class Layout:
     static: bool
     robust: bool
     by_sample: bool
+    whole: bool
 
     @property
     def triangle(self) -> int:
@@ -115,7 +117,7 @@ class Layout:
             "wider_blurred": self.size + 1,
             "covariance": self.triangle,
             "noise": 1,
-            "point": self.size,
+            "point": self.size + 1,
             "found": 3 * self.size + 1,
         }
 
@@ -143,7 +145,9 @@ class Layout:
         """The functions of the driver."""
         loops = self._normal(), self._closing(), self._residuals() if self.robust else ""
         return "\n\n".join(
-            part.strip("\n") for part in (driver_text.CLEAR, driver_text.LOAD, driver_text.AHEAD, *loops, self._fit()) if part
+            part.strip("\n")
+            for part in (driver_text.CLEAR, driver_text.LOAD, driver_text.AHEAD, *loops, self._fit())
+            if part
         )
 
     def _normal(self) -> str:
@@ -154,9 +158,15 @@ class Layout:
             body, target = ["trends_at(x, basis + 8 * BASIS * t, parameters, slopes)"], "normal"
         body += [
             "constants_at(parameters, own, constants, wide)",
-            "clear(summed, SUMS)",
-            "sums_at(columns, row, constants, data + 4 * LANES * WIDTH * samples * t, samples, summed)",
-            f"normal_at(wide, own, room + AT_OPENED + 8 * LANES * OPENING * t, summed, {target})",
+            *(
+                ["series_at(parameters, room + AT_OPENED, basis, summed)"]
+                if self.whole
+                else [
+                    "clear(summed, SUMS)",
+                    "sums_at(columns, row, constants, data + 4 * LANES * WIDTH * samples * t, samples, summed)",
+                ]
+            ),
+            f"normal_at(wide, own, room + AT_OPENED + 8 * LANES * OPENING * t, summed, basis, {target})",
         ]
         if not self.static:
             body.append("chain_rule(normal, slopes, total)")
@@ -217,6 +227,7 @@ class Layout:
         text = driver_text.FIT
         for key, value in {
             "SIGNATURE": ", ".join(["int64"] * 24),
+            "WHOLE": driver_text.WHOLE if self.whole else "",
             "PARTIAL": driver_text.PARTIAL if self.by_sample and self.channels > 1 else "",
             "RESIDUALS": driver_text.RESIDUALS if self.robust else "",
         }.items():

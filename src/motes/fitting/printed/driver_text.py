@@ -99,7 +99,7 @@ def closing(x, room, own, box, columns, row, basis, times, samples, data, roughl
     clear(middle, ROWS + 1)
     for t in range(times):
         {middle}
-    polished(x, x + 8 * LANES * (SIZE + ROWS + ENDING), gradient, inverse, among, box, point)
+    polished(x, x + 8 * LANES * (SIZE + ROWS + ENDING), x + 8 * LANES * (SIZE + ROWS + BRIGHTNESS), middle, gradient, inverse, among, box, point)
     for k in range(SIZE):
         column_of(inverse, k, column)
         row_at(column, inverse, spread, unit)
@@ -138,6 +138,16 @@ PARTIAL = """if running > D(0.0) and used < whole:
                     if there > 0 and there < CHANNELS:
                         running = D(0.0)
                 if running == D(0.0) and n < count:
+                    store(D, states, texel * STATE + 11, D(1.0), "plain", 0, 1)"""
+
+# A texel that misses a sample: the form does not serve it.
+WHOLE = """if not brightness - brightness == D(0.0):
+                brightness, used = D(0.0), D(0.0)
+                for k in range(OPENING):
+                    store(D, room + AT_OPENED, k * LANES + n, D(0.0), "plain", 0, 1)
+                for k in range(samples * WIDTH):
+                    store(F, data, k * LANES + n, F(0.0), "plain", 0, 1)
+                if n < count:
                     store(D, states, texel * STATE + 11, D(1.0), "plain", 0, 1)"""
 
 RESIDUALS = """if out != 0:
@@ -186,6 +196,7 @@ def fit(
                 opened = room + AT_OPENED + 8 * LANES * OPENING * t
                 brightness += load(D, opened, n, "other", 1)
                 used += load(D, opened, LANES + n, "other", 1)
+            <WHOLE>
             store(D, state, (after + BRIGHTNESS) * LANES + n, brightness, "plain", 0, 1)
             running = load(D, state, (after + RUNNING) * LANES + n, "other", 1)
             <PARTIAL>
@@ -257,6 +268,7 @@ def fit(
             used, brightness = load(D, states, texel * STATE + 6, "other", 1), load(D, states, texel * STATE + 7, "other", 1)
             store(D, states, texel * STATE + 8, squares, "plain", 0, 1)
             store(D, states, texel * STATE + 9, load(D, middle, ROWS * LANES + n, "other", 1), "plain", 0, 1)
+            store(D, states, texel * STATE + 14, load(D, room + AT_POINT, SIZE * LANES + n, "other", 1), "plain", 0, 1)
             store(D, states, texel * STATE + 12, load(D, noise_here, n, "other", 1), "plain", 0, 1)
             there = squares - squares == D(0.0) and brightness > D(0.0) and used > SIZE
             for k in range(SIZE):

@@ -1,4 +1,4 @@
-"""The normal equations of a fit as sums over samples, in one of two forms.
+"""The normal equations of a fit as sums over samples, in one of three forms.
 
 For residuals r = root (T(f(directions; parameters)) - T(y)) a fit needs, at every point it tries, sum r^2, sum J r and sum J J'.
 
@@ -6,17 +6,51 @@ For residuals r = root (T(f(directions; parameters)) - T(y)) a fit needs, at eve
     These sums themselves: the formula and its derivatives at every sample.  Serves every model, loss and robust function.
 ``moments``
     `motes.fitting.printed.moments`: sums of products of the functions into which the model separates.
+``series``
+    `motes.fitting.printed.series`: these, with series in the parameter that a function holds: no sum over samples but the first.
 
-Both are graphs; `motes.fitting.printed.module` prints them.
+All are graphs; `motes.fitting.printed.module` prints them.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+from numpy.typing import NDArray
+
 from motes.fitting.printed.traced import DATA, SUMS, Traced, total
 from motes.graph import tracing
 from motes.graph.tracing import DIRECTIONS, PARAMETERS, Graph, Symbol
+
+POINTS = 5  # at which the normal equations of a fit are wanted, about
+
+
+@dataclass(frozen=True)
+class Tables:
+    """Sums as series in the one parameter that meets directions inside a function: see `motes.fitting.printed.series`.
+
+    Attributes
+    ----------
+    parameter
+        That parameter, a leaf of the model; `low` and `high` bound where the series hold.
+    columns
+        Leaves that stand for what the series have of each direction, and the numbers (D,).
+    numbers
+        Leaves for what all texels share, and the numbers.
+    values
+        The sums of the form's `summed`, as formulas of the parameter, `numbers` and sums over the samples.
+    error
+        By how much a function differs from its series at most, in units of its largest value.
+    """
+
+    parameter: Symbol
+    low: float
+    high: float
+    columns: dict[Symbol, NDArray[np.float64]]
+    numbers: dict[Symbol, float]
+    values: tuple[Symbol, ...]
+    error: float
 
 
 @dataclass(frozen=True)
@@ -26,7 +60,7 @@ class NormalEquations:
     Attributes
     ----------
     form
-        ``"direct"`` or ``"moments"``.
+        ``"direct"``, ``"moments"`` or ``"series"``.
     model
         What it is made of.
     leaves
@@ -45,6 +79,8 @@ class NormalEquations:
     closing
         What is summed at the solution: squared residuals, 0, the gradient, the middle of the sandwich (packed), and 1 where a clamp of the model acts
         that moments leave out.
+    tables
+        Of the form ``"series"``.
     """
 
     form: str
@@ -60,11 +96,26 @@ class NormalEquations:
     matrix: tuple[Symbol, ...]
     curving: tuple[Symbol, ...]
     closing: tuple[Symbol, ...]
+    tables: Tables | None = None
 
     def cost(self) -> int:
         """About how many operations a sample takes at every point."""
         bits = tracing.dependence(self.sums, self.leaves)
         return len(self.sums) + sum(1 for symbol, bit in bits.items() if bit & PARAMETERS and bit & (DIRECTIONS | DATA))
+
+    def work(self, samples: int) -> float:
+        """About how many vector operations a texel takes, errors left out."""
+        once = samples * _operations(self.opening, self.leaves)
+        at_points = samples * _operations(self.sums, self.leaves)
+        if self.tables is not None:  # in float64, a vector of which holds half as many lanes
+            at_points += 2 * _operations(self.tables.values, self.leaves)
+        return once + POINTS * at_points
+
+
+def _operations(results: tuple[Symbol, ...], leaves: dict[Symbol, int]) -> int:
+    bits = tracing.dependence(results, leaves)
+    # A sum of a product is one operation, and what depends on directions alone is computed beforehand.
+    return sum(1 for symbol, bit in bits.items() if symbol not in leaves and bit & ~DIRECTIONS) + len(results)
 
 
 class Sums:

@@ -11,7 +11,7 @@ from motes.fitting.printed.rows import Rows, Target, Uniform, lane_function
 #: What follows the point and its normal equations in the rows of a block's state.
 SCALARS = ("damping", "growth", "idle", "running", "iterations", "ending", "brightness")
 # Less than this share of the data's square says nothing: residuals are differences of numbers in float32, moments are sums of float64 in the end.
-LEAST_NOISE = {"direct": 1e-10, "moments": 1e-12}
+LEAST_NOISE = {"direct": 1e-10, "moments": 1e-12, "series": 1e-12}
 
 
 def step_functions(size: int, form: str) -> list[str]:
@@ -96,24 +96,31 @@ def step_functions(size: int, form: str) -> list[str]:
 
 
 def _polished(size: int) -> str:
-    """``polished``: a last step by the gradient at the solution, which is summed from residuals and so sure to more digits than moments are.
+    """``polished``: a last step by the gradient at the solution, which is summed from residuals and so sure to more digits than moments are; and
+    whether that gradient says that the fit ended elsewhere.
 
-    Rows: ``state``, ``among`` (what moves), ``inverse``, ``slope`` (the gradient).
+    Rows: ``x`` (the state), ``ending``, ``bright`` (the data's square), ``squares`` (of the residuals), ``slope`` (the gradient), ``inverse``,
+    ``among`` (what moves).
     """
     algebra = Formulas()
     x, slope, among = algebra.vector("x", size), algebra.vector("slope", size), algebra.vector("among", size)
     inverse, objective, ending = algebra.matrix("inverse", size), algebra.number("objective"), algebra.number("ending")
+    bright, squares = algebra.number("bright"), algebra.number("squares")
+    numbers = [algebra.number(name) for name in ("reduction", "rounding", "whole")]
     low, high = algebra.vector("low", size), algebra.vector("high", size)
     moved = levenberg.polished(algebra, x, objective, ending, slope, inverse, among, low, high)
+    adrift = levenberg.adrift(algebra, squares / numbers[2], bright, ending, slope, inverse, among)
     return lane_function(
         "polished",
         [
             Rows("x", "D").put([*x, *objective]),
             Rows("ending", "D").put(ending),
+            Rows("bright", "D").put(bright),
+            Rows("squares", "D").put(squares),
             Rows("slope", "D").put(slope),
             Rows("inverse", "D").put(triangle_of(inverse)),
             Rows("among", "D").put(among),
-            Uniform("box", (*low, *high)),
+            Uniform("box", (*low, *high, *(n[0] for n in numbers))),
         ],
-        [Target("point", "D", algebra.lifted(moved))],
+        [Target("point", "D", [*algebra.lifted(moved), *algebra.lifted(adrift)])],
     )

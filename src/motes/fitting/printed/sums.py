@@ -11,10 +11,27 @@ from motes.graph.tracing import Symbol
 UNROLL = 4  # samples whose terms are added before they go to memory; few where a formula is long
 LONG = 150
 RUN = 128  # samples that are summed in float32
+GROUP = 24  # sums that a processor's registers hold: those of short terms are made in groups
+
+
+def many_sums(name: str, data: Sequence[Symbol], integrands: Sequence[Symbol], columns: Rows, constants: Rows) -> str:
+    """As `sum_function`, for many sums of short terms."""
+    texts, calls = [], []
+    for first in range(0, len(integrands), GROUP):
+        part = f"{name}_{first}"
+        texts.append(sum_function(part, data, integrands[first : first + GROUP], columns, constants, unroll=1))
+        calls.append(f"    {part}(columns, row, constants, data, samples, totals + 8 * LANES * {first})")
+    body = "\n".join(calls)
+    return "\n\n\n".join([*texts, f"@part\ndef {name}(columns, row, constants, data, samples, totals):\n{body}"])
 
 
 def sum_function(
-    name: str, data: Sequence[Symbol], integrands: Sequence[Symbol], columns: Rows, constants: Rows
+    name: str,
+    data: Sequence[Symbol],
+    integrands: Sequence[Symbol],
+    columns: Rows,
+    constants: Rows,
+    unroll: int | None = None,
 ) -> str:
     """A function that adds the sums of `integrands` over a time's samples to the rows of ``totals``.
 
@@ -26,7 +43,7 @@ def sum_function(
         What depends on directions alone, the same in all lanes; what depends on a lane's parameters alone.
     """
     stop = {*columns.where, *constants.where, *data}
-    unroll = UNROLL if len(live(integrands, stop)) < LONG else 1
+    unroll = unroll or (UNROLL if len(live(integrands, stop)) < LONG else 1)
     shared, known = computed(
         [symbol for symbol in live(integrands, stop) if symbol in constants.where],
         {symbol: f"row constants F {k * LANES}" for symbol, k in constants.where.items()},

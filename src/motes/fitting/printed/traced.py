@@ -62,6 +62,13 @@ class Data:
         blank = (0.0,) * (len(raw) + 1)
         return cls(tuple(raw), (*stored, good), (*values, weight), blank, tuple(values), (weight,) * len(raw))
 
+    @classmethod
+    def whole(cls, graph: Graph, raw: Sequence[Symbol], targets: Sequence[Symbol], root: Symbol) -> Data:
+        """Nothing is missing; a sample without weight counts for nothing, as its root is 0."""
+        values = [graph.leaf(f"value[{c}]") for c in range(len(raw))]
+        weights = (graph.constant(1.0),) * len(raw)
+        return cls(tuple(raw), tuple(targets), tuple(values), (0.0,) * len(raw), tuple(values), weights)
+
 
 @dataclass(frozen=True)
 class Traced:
@@ -95,8 +102,16 @@ class Traced:
     by_channel: bool
 
     @classmethod
-    def of(cls, trace: tracing.Trace, fitted: Sequence[str], loss: Loss, robust: Robust, by_channel: bool) -> Traced:
-        """From the trace of a model (recorded without a look at the horizon) and the slots that are fitted."""
+    def of(
+        cls,
+        trace: tracing.Trace,
+        fitted: Sequence[str],
+        loss: Loss,
+        robust: Robust,
+        by_channel: bool,
+        whole: bool = False,
+    ) -> Traced:
+        """From the trace of a model (recorded without a look at the horizon) and the slots that are fitted; `whole`: nothing is missing (`Data.whole`)."""
         graph = trace.graph
         root, cosine, noise = graph.leaf("root"), graph.leaf("cosine"), graph.leaf("noise")
         raw = tuple(graph.leaf(f"raw[{c}]") for c in range(len(trace.outputs)))
@@ -129,7 +144,8 @@ class Traced:
                 for f, row in zip(trace.outputs, tracing.forward(trace.outputs, parameters), strict=True)
             ]
         targets = [transformed(y) - offset for y, offset in zip(raw, offsets, strict=True)]
-        data = (Data.by_channel if by_channel else Data.by_sample)(graph, raw, targets, root)
+        kept = Data.whole if whole else Data.by_channel if by_channel else Data.by_sample
+        data = kept(graph, raw, targets, root)
         leaves |= dict.fromkeys(data.leaves, DATA)
         return cls(
             leaves, parameters, tuple(outputs), tuple(slopes), tuple(offsets), data, robust, noise, leverage, by_channel
