@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -123,6 +123,24 @@ class Recorded:
         return module.equations_of_whole(self.trace, self.fitted, fit.loss, robust, self.sampled, bounds, len(fit.wi))
 
 
+class Domain(NamedTuple):
+    """Where series hold: a column of a texel's vector, its least and largest value, and whether these lie within the column's own bounds."""
+
+    column: int
+    low: float
+    high: float
+    narrowed_low: bool
+    narrowed_high: bool
+
+    @classmethod
+    def of(cls, equations: NormalEquations, tables: Tables, low: Floats, high: Floats) -> Domain:
+        """That of a form, whose bounds become those of the columns (P,)."""
+        column = equations.model.parameters.index(tables.parameter)
+        domain = cls(column, tables.low, tables.high, tables.low > low[column], tables.high < high[column])
+        low[column], high[column] = tables.low, tables.high
+        return domain
+
+
 class Kernel:
     """The module of a form of the normal equations."""
 
@@ -138,11 +156,7 @@ class Kernel:
         self.basis = _basis(fit, equations.tables)
         facts = fit.facts
         low, high = facts.low[:, 0].copy(), facts.high[:, 0].copy()
-        if equations.tables is not None:
-            column = equations.model.parameters.index(equations.tables.parameter)
-            low[column], high[column] = equations.tables.low, equations.tables.high
-        self.low, self.high = low, high
-        self.narrowed_low, self.narrowed_high = low > facts.low[:, 0], high < facts.high[:, 0]
+        self.domain = None if equations.tables is None else Domain.of(equations, equations.tables, low, high)
         whole = float(np.count_nonzero(fit.weights) * self.channels * self.times)
         numbers = np.array([REDUCTION[self.form] if robust.name == "none" else ROBUST_REDUCTION, ROUNDING, whole])
         self.box = np.concatenate(

@@ -204,6 +204,8 @@ class TexelSolver(TexelSetup):
         """For every texel the start from which the parameters that are not `_curved` alone get closest to the data."""
         if len(starts) == 1:
             return np.repeat(starts, len(data), axis=0)
+        if isinstance(kernel, Forms):
+            kernel = kernel.one_for(starts)
         best = np.empty((len(data), self.size))
         least = np.full(len(data), np.inf)
         for start in starts:
@@ -248,12 +250,15 @@ class TexelSolver(TexelSetup):
             if not len(rows):
                 continue
             part, own = raw.rows(rows), None if noise is None else noise[rows]
-            kernel = self.kernel("direct" if direct else "cheapest", self.robust)
+            kernel = self._kernel("direct" if direct else "moments", self.robust)
+            objective = part.state("objective")
+            if not direct and kernel is not self.kernel("cheapest", self.robust):
+                objective = kernel.fit(data[rows], part.points, limit=0, close=False).state("objective")
             solved = Solved(
                 x=part.points,
                 value=part.values.astype(float),
                 stderr=part.errors.astype(float),
-                objective=part.state("objective"),
+                objective=objective,
                 noise=part.state("noise"),
                 brightness=part.state("brightness"),
                 verdicts=part.codes,
@@ -263,7 +268,7 @@ class TexelSolver(TexelSetup):
                 points: Floats,
                 held: NDArray[np.bool_],
                 fits: Rows,
-                kernel: Kernel | Forms = kernel,
+                kernel: Kernel = kernel,
                 rows: Rows = rows,
                 own: Floats | None = own,
             ) -> Floats:
@@ -274,7 +279,7 @@ class TexelSolver(TexelSetup):
                 return ends.state("objective")
 
             def diagonal(
-                points: Floats, fits: Rows, kernel: Kernel | Forms = kernel, rows: Rows = rows, own: Floats | None = own
+                points: Floats, fits: Rows, kernel: Kernel = kernel, rows: Rows = rows, own: Floats | None = own
             ) -> Floats:
                 return kernel.diagonal(data[rows[fits]], points, None if own is None else own[fits])
 

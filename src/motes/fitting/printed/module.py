@@ -133,7 +133,9 @@ def module(fit: NormalEquations, coefficients: Coefficients, bounds: Columns) ->
         ),
         lane_function("closing_at", [parameters, own, leverage], [Target("constants", "F", list(closing.where))]),
         each_function("stored", model.data.stored, _raw_places(model, columns), (*_EACH[:2], "raw", "samples"), "data"),
-        many_sums("opening_sums", model.data.leaves, fit.opening, columns, narrow),
+        sums("opening_sums", fit.opening, narrow)
+        if fit.tables is None
+        else many_sums("opening_sums", model.data.leaves, fit.opening, columns, narrow),
         sums("sums_at", fit.sums, narrow)
         if fit.tables is None
         else lane_function("series_at", [parameters, opened, shared], [Target("summed", "D", fit.tables.values)]),

@@ -36,7 +36,7 @@ TOLERANCE, SHARED_TOLERANCE = 1e-6, 1e-8
 LEAST_SIZE = 0.03
 MOST_TERMS = 64
 # The number of terms is a multiple of this: sets of directions that differ a little then share a compiled module.
-STEP = 4
+STEP, SHARED_STEP = 4, 2
 NODES = 256
 SHAPES = (0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5, 1.0, 1e6)  # a, in units of the largest value of the parameter
 # Moments are made in float32 and cancel: a sum of squares is known to this share of the data's, which is added to it, so that it does not get negative.
@@ -55,12 +55,13 @@ class Coordinate:
     def ends(self) -> tuple[float, float]:
         return self.low / (self.low + self.shape), self.high / (self.high + self.shape)
 
-    def nodes(self) -> Floats:
-        """Values of the parameter at the zeros of T_NODES."""
+    def nodes(self) -> tuple[Floats, Floats]:
+        """Values of the parameter at the zeros of T_NODES, and du/dp there."""
         first, last = self.ends
         u = np.cos((np.arange(NODES) + 0.5) * np.pi / NODES)
         t = first + 0.5 * (u + 1) * (last - first)
-        return self.shape * t / (1 - t)
+        p = self.shape * t / (1 - t)
+        return p, 2 * self.shape / (last - first) / (p + self.shape) ** 2
 
     def formula(self, p: Symbol) -> tuple[Symbol, Symbol]:
         """u, and its derivative."""
@@ -79,21 +80,28 @@ def coefficients(values: Floats) -> Floats:
     return np.asarray(found)
 
 
-def terms_needed(found: Floats, tolerance: float) -> tuple[int, float]:
-    """How many terms leave out no more than `tolerance` of the largest value of any of the functions (NODES, ...), and how much that is."""
+def terms_needed(found: Floats, tolerance: float, step: int = STEP) -> tuple[int, float]:
+    """How many terms leave out no more than `tolerance` of the largest value of any of the functions (NODES, ...), and how much that is.
+
+    Their number is a multiple of `step`.
+    """
     size = np.abs(found).reshape(NODES, -1)
     scale = np.abs(found).sum(axis=0).max()
     left = np.cumsum(size[::-1], axis=0)[::-1].max(axis=1) / scale
     count = int(np.argmax(np.append(left, 0.0) <= tolerance))
-    count = min(NODES - STEP, -(-count // STEP) * STEP)
+    count = min(NODES - step, -(-count // step) * step)
     return count, float(left[count])
 
 
 @dataclass
 class _Group:
-    """Sums that are one series: coefficients as symbols, the leaf of the sum, and that of its derivative."""
+    """Sums that are one series: coefficients as symbols, the leaf of the sum, and that of its derivative.
+
+    What is expanded of a function that is a derivative by p itself is the derivative by u: `turns` counts these.
+    """
 
     coefficients: list[Symbol]
+    turns: int = 0
     value: Symbol | None = None
     slope: Symbol | None = None
 
@@ -119,7 +127,10 @@ class _Series:
             slope: f for f, row in self.parts.slopes.items() for p, slope in row.items() if p is self.parameter
         }
         every = [*self.kept, *self.derived, *self.parts.fixed]
-        self.sampled = dict(zip(every, self.sample(every, self.parameter, self.coordinate.nodes()), strict=True))
+        nodes, turn = self.coordinate.nodes()
+        self.sampled = dict(zip(every, self.sample(every, self.parameter, nodes), strict=True))
+        for slope in self.derived:
+            self.sampled[slope] = self.sampled[slope] / turn[:, None]
         self.pooled = {f: self._alike(f) for f in (*self.kept, *self.derived)}
 
     @property
@@ -179,9 +190,12 @@ class _Series:
         key = (a, b)
         if key not in self.groups:
             found = coefficients(np.sum(self.sampled[a] * self.sampled[b], axis=1))
-            count, _ = terms_needed(found, SHARED_TOLERANCE)
+            # What the gradient is made of has to be sure to more digits than the matrix.
+            turns = (a in self.derived) + (b in self.derived)
+            count, _ = terms_needed(found, TOLERANCE if turns == 2 else SHARED_TOLERANCE, SHARED_STEP)
             names = [f"series[{a.index},{b.index}][{n}]" for n in range(count)]
-            self.groups[key] = _Group([self._number(name, float(x)) for name, x in zip(names, found, strict=False)])
+            numbers = [self._number(name, float(x)) for name, x in zip(names, found, strict=False)]
+            self.groups[key] = _Group(numbers, turns=turns)
         return self.groups[key]
 
     def _own(self, f: Symbol, c: int | None, values: Symbol) -> _Group:
@@ -234,8 +248,10 @@ class _Series:
                     (2.0 * this + twice * rising) - rising_before,
                     rising,
                 )
-        slopes = {group.slope for group in self.groups.values()}
-        return [found[leaf] * turn if leaf in slopes else found[leaf] for leaf in self.leaves]
+        turns = {leaf: group.turns for group in self.groups.values() if (leaf := group.value) is not None}
+        turns |= {leaf: group.turns + 1 for group in self.groups.values() if (leaf := group.slope) is not None}
+        powers = (graph.constant(1.0), turn, turn * turn)
+        return [found[leaf] * powers[turns[leaf]] for leaf in self.leaves]
 
 
 def series(model: Traced, sample: Sampler, bounds: Mapping[Symbol, tuple[float, float]]) -> NormalEquations | None:
@@ -315,7 +331,7 @@ def _coordinate(
     for shape in SHAPES:
         coordinate = Coordinate(low, high, shape * high)
         kept, worst = {}, 0.0
-        for f, values in zip(functions, sample(functions, parameter, coordinate.nodes()), strict=True):
+        for f, values in zip(functions, sample(functions, parameter, coordinate.nodes()[0]), strict=True):
             found = coefficients(values)
             count, error = terms_needed(found, TOLERANCE)
             kept[f], worst = (count, found[:count]), max(worst, error)
