@@ -19,8 +19,14 @@ from motes.exports.approximation import written as words
 from motes.exports.subject import subject
 from motes.models import BRDF, Dielectric, Dust, DustLayer, Lambert, Schlick, TorranceSparrow
 from shader_runners import checked, tool
-from shader_support import MODELS, SPECTRAL
+from shader_support import COAT, MODELS, PLASTER, SPECTRAL
 
+#: Dust whose lobes take the network of `motes.models.multiple_scattering`, thousands of nodes.
+LOBES = {
+    **MODELS,
+    "dusty_multiple": DustLayer(PLASTER + COAT, Dust((0.9, 0.8, 0.6), 0.3), tau=0.4, scattering="multiple"),
+    "dust_multiple": Dust((0.9, 0.8, 0.6), 0.3, scattering="multiple"),
+}
 NASTY = 'Plaster "1" & <x> -- ünï\n]]> --> \\'
 
 
@@ -28,11 +34,11 @@ def written(model: BRDF, folder: Path, name: str = "rock") -> Path:
     return export(Material(model, name=name, channels=("R", "G", "B")), "materialx", folder / "rock.mtlx").files[0]
 
 
-@pytest.mark.parametrize("name", MODELS)
+@pytest.mark.parametrize("name", LOBES)
 def test_valid_and_generated(name: str, tmp_path: Path) -> None:
     """`check` validates, and generates GLSL, OSL and MDL."""
     pytest.importorskip("MaterialX")
-    assert materialx.check(written(MODELS[name], tmp_path))
+    assert materialx.check(written(LOBES[name], tmp_path))
 
 
 def test_a_nasty_name(tmp_path: Path) -> None:
@@ -151,6 +157,8 @@ def computed(graph: ElementTree.Element, values: dict[str, Any]) -> list[tuple[A
                 given[name] = np.array([float(x) for x in port.get("value").split(",")])
         if node.tag in ("multiply", "divide", "add", "subtract") and node.get("type") != "BSDF":
             nodes[node.get("name")] = getattr(np, node.tag)(given["in1"], given["in2"])
+        elif node.tag in ("max", "min"):
+            nodes[node.get("name")] = getattr(np, f"{node.tag}imum")(given["in1"], given["in2"])
         elif node.tag in ("exp", "sqrt"):
             nodes[node.get("name")] = getattr(np, node.tag)(given["in"])
         elif node.tag == "convert":
@@ -166,10 +174,10 @@ def computed(graph: ElementTree.Element, values: dict[str, Any]) -> list[tuple[A
     return found
 
 
-@pytest.mark.parametrize("name", MODELS)
+@pytest.mark.parametrize("name", LOBES)
 def test_three_ways_of_one_conversion(name: str, tmp_path: Path) -> None:
     """The nodes of MaterialX, the words of shaders, and the numbers agree, at other values than those of the file, too."""
-    file = MODELS[name]
+    file = LOBES[name]
     root = ElementTree.parse(written(file, tmp_path)).getroot()
     graph = next(g for g in root.iter("nodegraph") if g.get("name") == "NG_motes_rock_lobes")
     others = {"tau": 0.9, "sigma_s": 0.3, "K_s": 0.45, "K_d": 0.35, "w": 0.25}
@@ -181,7 +189,8 @@ def test_three_ways_of_one_conversion(name: str, tmp_path: Path) -> None:
         "color": lambda x: x,
         "exp": np.exp,
         "sqrt": np.sqrt,
-        "max": max,
+        "max": np.maximum,
+        "min": np.minimum,
         "wo": (0, 0, 1 / 1.66),
         **parameters,
     }

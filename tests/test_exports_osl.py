@@ -16,12 +16,13 @@ import pytest
 
 from motes import Material
 from motes.exports import export, osl
-from motes.models import BRDF
+from motes.models import BRDF, Dust, DustLayer
 from shader_runners import checked
-from shader_support import MODELS, SPECTRAL, check, directions, expected
+from shader_support import MODELS, PLASTER, SPECTRAL, check, directions, expected
 
 SCRIPT = Path(__file__).with_name("osl_in_blender.py")
 WI, WO = directions()
+MULTIPLE = DustLayer(PLASTER, Dust((0.9, 0.8, 0.6), 0.3), tau=0.4, scattering="multiple")
 
 
 def blender() -> str:
@@ -54,14 +55,22 @@ def test_value_against_numpy(name: str, tmp_path: Path) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "tolerance"),
-    [("lambert", 0.001), ("torrance_sparrow", 0.05), ("conductor", 0.08), ("plaster_and_coat", 0.08), ("dusty", 0.1)],
+    [
+        ("lambert", 0.001),
+        ("torrance_sparrow", 0.05),
+        ("conductor", 0.08),
+        ("plaster_and_coat", 0.08),
+        ("dusty", 0.1),
+        ("dusty_multiple", 0.1),
+    ],
 )
 def test_closures_keep_the_albedo(name: str, tolerance: float, tmp_path: Path) -> None:
     """Under a white sky, seen from above."""
     python = blender()
-    shader = export(MODELS[name], "osl", tmp_path / "material.osl").files[0]
+    model = MULTIPLE if name == "dusty_multiple" else MODELS[name]
+    shader = export(model, "osl", tmp_path / "material.osl").files[0]
     found = in_blender(python, shader, "BSDF").mean(axis=0)
-    albedo = np.broadcast_to(MODELS[name].directional_albedo((0, 0, 1)), 3)
+    albedo = np.broadcast_to(model.directional_albedo((0, 0, 1)), 3)
     np.testing.assert_allclose(found, albedo, rtol=tolerance)
 
 

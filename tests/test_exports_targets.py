@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from catalogue import ENTRIES, Entry
 from motes import Material
 from motes.ageing import age
 from motes.errors import MotesError, ParameterError
@@ -104,6 +105,13 @@ def test_every_model_has_a_lobe_and_a_sentence() -> None:
         own = {name for part in cls.__mro__[: cls.__mro__.index(BRDF)] for name in vars(part)}
         assert {"words", "approximation", "standard_lobes"} <= own, cls
     assert "in_words" in vars(Sum)
+
+
+@pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: entry.name)
+def test_every_model_goes_to_programs_of_lobes(entry: Entry, tmp_path: Path) -> None:
+    """What a model's lobes are computed by has words in OSL and nodes in MaterialX, whatever its options."""
+    for to in ("osl", "materialx") if entry.model.channels in (1, 3) else ("osl",):
+        assert export(entry.model, to, tmp_path / f"x.{to}").files[0].stat().st_size > 1000
 
 
 def test_doctest() -> None:

@@ -152,6 +152,8 @@ _TEXTS: dict[str, Callable[..., str]] = {
     "exp": "exp({})".format,
     "expm1": "(exp({}) - 1.0)".format,
     "sqrt": "sqrt({})".format,
+    "maximum": "max({}, {})".format,
+    "minimum": "min({}, {})".format,
 }
 
 

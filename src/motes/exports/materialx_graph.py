@@ -7,10 +7,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from motes.exports.approximation import supported
+from motes.graph.dependence import live
 from motes.graph.symbols import Symbol
 from motes.models import Reflection, StandardLobe
 
-_ARITHMETIC = {"add": "add", "sub": "subtract", "mul": "multiply", "div": "divide"}
+_ARITHMETIC = {
+    "add": "add",
+    "sub": "subtract",
+    "mul": "multiply",
+    "div": "divide",
+    "maximum": "max",
+    "minimum": "min",
+}
 
 
 @dataclass(frozen=True)
@@ -59,7 +67,7 @@ class Graph:
     # ------------------------------------------------------------ arithmetic
 
     def calculate(self, op: str, a: Value, b: Value) -> Value:
-        """``add``, ``subtract``, ``multiply`` or ``divide``, of numbers and colours."""
+        """``add``, ``subtract``, ``multiply``, ``divide``, ``max`` or ``min``, of numbers and colours."""
         if "color3" in (a.type, b.type) and a.type != "color3":
             a = self.color(a)
         return self.node(op, a.type, {"in1": a, "in2": b})
@@ -76,11 +84,18 @@ class Graph:
 
     def computed(self, symbol: Symbol, slots: Mapping[str, Value]) -> Value:
         """Recorded arithmetic as nodes."""
+        known: dict[Symbol, Value] = {}
+        for part in live([symbol]):
+            known[part] = self._computed(part, [known[a] for a in part.args], slots)
+        return known[symbol]
+
+    def _computed(self, symbol: Symbol, args: list[Value], slots: Mapping[str, Value]) -> Value:
+        """One step of it."""
         if symbol.op == "leaf":
             return slots[str(symbol.value)]
         if symbol.op == "constant":
             return number(symbol.value)
-        op, args = supported(symbol), [self.computed(a, slots) for a in symbol.args]
+        op = supported(symbol)
         if op in _ARITHMETIC:
             return self.calculate(_ARITHMETIC[op], *args)
         if op == "neg":
