@@ -1,6 +1,7 @@
 # make demo   install, and run the main job on simulated data
 # make test   install what the tests need, and run them all
 # make lint   the checks of style, types and imports alone
+# make blender  Blender's extension, a zip in dist
 # make bench  install what the benchmarks need, run them, and write docs/benchmarks.md (EFFORT=quick, normal or full)
 # make fuzz   damaged files for everything that reads, MINUTES=1 long; writes docs/fuzzing.md
 # make clean  remove what these made
@@ -16,7 +17,7 @@ JOBS ?= 2
 EFFORT ?= normal
 MINUTES ?= 1
 
-.PHONY: demo test lint bench fuzz clean
+.PHONY: demo test lint blender bench fuzz clean
 .DELETE_ON_ERROR:
 
 demo: $(VENV)/.installed-all
@@ -45,6 +46,9 @@ $(VENV)/.installed-%: pyproject.toml
 	@$(PYTHON) -m venv $(VENV)
 	@$(PIP) --editable '.[$*]'
 	@touch $@
+
+blender: $(VENV)/.installed-all
+	$(BIN)/python tools/blender_build.py -o dist
 
 bench: $(VENV)/.installed-dev
 	$(BIN)/python benchmarks/run.py --effort $(EFFORT)

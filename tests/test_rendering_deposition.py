@@ -27,7 +27,8 @@ from motes.meshes.meshfile import read_mesh
 from motes.meshes.shapes import plane, sphere, teapot
 from motes.meshes.subdivision import refine
 from motes.rendering.baking import bake, write_texture
-from motes.rendering.deposition import SETTLING, Points, checked_tau, deposit, falling, hold, open_tau
+from motes.rendering.deposition import SETTLING, Points, checked_tau, deposit, open_tau
+from motes.rendering.gathering import falling, hold
 from motes.rendering.noise import cloudy, gradient_noise
 from motes.rendering.wiping import Stroke, look_up, read_mask
 

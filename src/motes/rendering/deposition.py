@@ -37,9 +37,10 @@ from motes.errors import MotesError, ParameterError
 from motes.material import Material
 from motes.meshes.mesh import Mesh, unit
 from motes.models import Lambert, layer_of
+from motes.rendering.gathering import falling, hold
 from motes.rendering.noise import cloudy
 from motes.rendering.rays import Progress, Surroundings
-from motes.rendering.wiping import Stroke, look_up, smooth_step
+from motes.rendering.wiping import Stroke, look_up
 
 Floats = NDArray[np.float64]
 
@@ -54,7 +55,6 @@ SETTLING: dict[str, Option] = {
     "noise": Option(0.25, (0, 1), "strength of the smooth noise; chosen"),
     "noise_scale": Option(0.06, (1e-4, 10), "size of its largest spots, as a share of the mesh's extent; chosen"),
 }
-EDGE_DEG = 15.0  # w: over how much of an angle dust begins to slide, on either side
 SHELTER_DEG = 19.0  # rays against the wind reach up to here: their middle sees a step of height h from 6 h away
 #: tau a day on a level surface; mirrors of five solar plants gathered 0.0015 to 0.0054 (docs/ageing.md).
 GROWTH_PER_DAY = 0.005
@@ -207,23 +207,6 @@ def settled_options(options: Mapping[str, Any]) -> dict[str, float]:
     }
 
 
-def hold(cos_theta: Floats, adhesion: float, slipperiness: float) -> Floats:
-    """H of the module: the share of fallen dust that stays on a surface whose normal makes an angle with `up`, (N,)."""
-    theta_deg = np.rad2deg(np.arccos(np.clip(cos_theta, -1, 1)))
-    slides = smooth_step((theta_deg - 90 * (1 - slipperiness)) / EDGE_DEG)
-    drops = smooth_step((theta_deg - 90) / EDGE_DEG)
-    return (adhesion + (1 - adhesion) * (1 - slides)) * (1 - drops)
-
-
-def falling(towards: Floats, spread_deg: float, n: int) -> Floats:
-    """Directions (n, 3) with density ~ (towards . omega)^m, m = 1/spread^2, evenly laid out on a spiral."""
-    exponent = 1 / np.deg2rad(spread_deg) ** 2
-    k = np.arange(n) + 0.5
-    cosine = (k / n) ** (1 / (exponent + 1))
-    azimuth = k * np.pi * (3 - np.sqrt(5))  # the golden angle
-    return _about(towards, cosine, azimuth)
-
-
 def blowing(wind: Floats, above: Floats, n: int) -> Floats:
     """Directions (n, 3) against the wind: elevations from 0 to `SHELTER_DEG`, azimuths within 15 degrees of it."""
     level = wind - (wind @ above) * above
@@ -238,17 +221,6 @@ def blowing(wind: Floats, above: Floats, n: int) -> Floats:
     azimuth = np.deg2rad(15) * (2 * ((k * (np.sqrt(5) - 1) / 2) % 1) - 1)
     flat = np.cos(azimuth)[:, None] * along + np.sin(azimuth)[:, None] * side
     return np.asarray(np.cos(elevation)[:, None] * flat + np.sin(elevation)[:, None] * above)
-
-
-def _about(axis: Floats, cosine: Floats, azimuth: Floats) -> Floats:
-    """Unit vectors (n, 3) at angles about an axis."""
-    other = np.eye(3)[np.argmin(np.abs(axis))]
-    x = np.cross(axis, other)
-    x /= np.linalg.norm(x)
-    y = np.cross(axis, x)
-    sine = np.sqrt(1 - cosine**2)
-    around = (sine * np.cos(azimuth))[:, None] * x + (sine * np.sin(azimuth))[:, None] * y
-    return np.asarray(around + cosine[:, None] * axis)
 
 
 # ------------------------------------------------------------ tau

@@ -8,20 +8,15 @@ from pathlib import Path
 from typing import final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from motes.errors import MotesError
 from motes.images import photograph
 from motes.meshes.meshfile import LARGEST
+from motes.rendering.gathering import smooth_step
 from motes.rendering.noise import gradient_noise
 
 Floats = NDArray[np.float64]
-
-
-def smooth_step(x: ArrayLike) -> Floats:
-    """From 0 at -1 to 1 at 1 with level ends: 3 t^2 - 2 t^3 of t = (1 + x)/2."""
-    t = np.clip(0.5 * (1 + np.asarray(x, np.float64)), 0, 1)
-    return t * t * (3 - 2 * t)
 
 
 @final

@@ -30,7 +30,8 @@ def shapes() -> ShapesView:
 def make() -> ShapesView:
     """The meshes and their dust, computed."""
     from motes.meshes.shapes import bunny, sphere, teapot
-    from motes.rendering.deposition import falling, hold, settled_options
+    from motes.rendering.deposition import settled_options
+    from motes.rendering.gathering import falling, hold
 
     theta = np.linspace(0, np.pi, STEPS)
     normals = np.stack([np.sin(theta), np.cos(theta), 0 * theta], -1)
