@@ -9,7 +9,7 @@ import pytest
 
 import motes
 from fitting_oracle import Oracle, scattered
-from motes.fitting import CANDIDATES
+from motes.fitting.choice import CANDIDATES, LADDER
 from motes.measurements import Measurement
 
 TS = "oren_nayar + torrance_sparrow"
@@ -25,19 +25,25 @@ TRUTH = {
 
 
 @pytest.mark.parametrize("model", TRUTH)
-def test_bic_chooses_the_model_that_made_the_data(model: str) -> None:
-    """2 % noise, 20 seeds: at least 18 right (20 of 20 were seen for each of the four)."""
+def test_the_model_that_made_the_data_is_chosen(model: str) -> None:
+    """2 % noise, 4 seeds: at least 3 right (of 12 at least 11 were), and of dust what is true.
+
+    Slow candidates are left out where a layer that scatters once does not look worth it.
+    """
     wi, wo = scattered(250, 3)
     f = TRUTH[model].eval(wi, wo)
     chosen = Counter()
-    for seed in range(20):
+    for seed in range(4):
         rng = np.random.default_rng([5, seed])
         fit = motes.fit(Measurement.from_arrays(wi, wo, f * (1 + 0.02 * rng.standard_normal(f.shape))))
-        assert [trial.model for trial in fit.tried] == list(CANDIDATES)
+        tried = list(dict.fromkeys(trial.model for trial in fit.tried))
+        assert tried == [text for text in CANDIDATES if text in tried]
+        assert set(tried) >= {candidate.text for candidate in LADDER if not candidate.slow}
         assert [trial.model for trial in fit.tried if trial.chosen] == [fit.model_text]
-        assert fit.metrics["bic"] == min(trial.bic for trial in fit.tried)
+        assert all(trial.left_out > 0 for trial in fit.tried)
+        assert fit.dusty is ("dust" in model)
         chosen[fit.model_text] += 1
-    assert chosen[model] >= 18, chosen
+    assert chosen[model] >= 3, chosen
 
 
 @pytest.mark.parametrize("model", TRUTH)
@@ -69,7 +75,7 @@ def test_large_data_are_compared_on_a_part_and_fitted_to_all() -> None:
     fit = motes.fit(Measurement.from_arrays(wi, wo, f * (1 + 0.05 * rng.standard_normal(f.shape))))
     assert fit.model_text == TS
     assert fit.metrics["n_samples"] == 630_000
-    assert {trial.n_samples for trial in fit.tried} == {199_998}
+    assert {trial.n_samples for trial in fit.tried} == {12_000}
     for name, p in fit.parameters.items():
         assert np.all(np.abs(p.value - np.asarray(TRUTH[TS].parameters[name])) < 4 * p.stderr), name
         assert np.all(p.stderr < 2e-3)

@@ -380,7 +380,7 @@ def test_a_map_that_lacks_a_parameter_is_refused(fitted: maps.FittedMap, tmp_pat
 
 
 def test_the_model_may_be_chosen(paint: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("motes.maps.choosing.CANDIDATES", ("lambert", MODEL))
+    monkeypatch.setattr("motes.maps.choosing.TEXEL_CANDIDATES", ("lambert", MODEL))
     chosen = maps.fit_map(paint, "auto", out=tmp_path / "a.zarr")
     assert chosen.model == MODEL
     first, second = chosen.plan.tried

@@ -144,7 +144,7 @@ def test_a_fixed_camera_above_a_flat_sample(tmp_path: Path, capsys: pytest.Captu
 
 def test_one_chooser(stack: maps.MapStack, monkeypatch: pytest.MonkeyPatch) -> None:
     """The numbers of `motes.fit` on the same texels, summed; a texel with few samples does not count, nor keep a model out."""
-    monkeypatch.setattr("motes.maps.choosing.CANDIDATES", ("lambert", MODEL))
+    monkeypatch.setattr("motes.maps.choosing.TEXEL_CANDIDATES", ("lambert", MODEL))
     rows = np.stack([stack.texels(y, x)[0] for y, x in ((0, 0), (2, 2), (3, 4))])
     rows = np.concatenate([rows, rows[:1]])
     rows[3, 1:] = np.nan  # lambert has as many parameters as this has samples

@@ -7,6 +7,7 @@ import re
 import shutil
 import subprocess
 import sys
+from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -285,8 +286,11 @@ def test_dust_and_models_compared():
         *(type(t)(**{**t.__dict__, "chosen": False, "bic": -60.0, "model": "lambert"}) for t in fit.tried),
         *fit.tried,
     )
-    page = page_of(as_fit(fit.measurement, brdf, tried=tried))
+    fit = as_fit(fit.measurement, brdf, tried=tried)
+    page = page_of(replace(fit, dusty=True))
     assert "(Oren-Nayar + Torrance-Sparrow) under dust" in page.text
+    for doubtful in (None, False):
+        assert "Oren-Nayar + Torrance-Sparrow, with a grazing roll-off" in page_of(replace(fit, dusty=doubtful)).text
     assert "+40.0" in page.text
     assert "✓ chosen" in page.text
 

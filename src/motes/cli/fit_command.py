@@ -55,7 +55,7 @@ def fit(
         A file or folder of measurements, or a map (Zarr); the format is found from its content.
     model
         Such as "oren_nayar + torrance_sparrow"; values in brackets are held: "oren_nayar(sigma_d=0.3)". "auto" compares
-        several by BIC.
+        several by how they predict directions left out.
     loss
         What is made small: "linear" is (f - r) cos(theta_i).
     robust

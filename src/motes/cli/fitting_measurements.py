@@ -205,7 +205,9 @@ def _size(data: Measurement) -> str:
 
 
 def _model(result: Fit | TimeFit) -> str:
-    return result.model_text + (f"  (the best of {len(result.tried)} by BIC)" if len(result.tried) > 1 else "")
+    own = next((trial.per_channel for trial in result.tried if trial.chosen), ())
+    each = f", {', '.join(own)} for each channel" if own else ""
+    return result.model_text + each + (f"  (chosen of {len(result.tried)})" if len(result.tried) > 1 else "")
 
 
 def _ending(result: Fit | TimeFit, effort: str) -> list[Row]:

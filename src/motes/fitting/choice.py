@@ -1,26 +1,51 @@
-"""Choosing a model: the candidates, the criterion, and the comparison, for one measurement, for scans and for maps."""
+"""Choosing a model: the ladder of candidates, for measurements and for maps; and the BIC, by which maps compare."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
-from typing import Any, Protocol, TypeVar
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from motes.errors import DataError, MotesError
+from motes.errors import MotesError
 from motes.fitting.result import Trial
 from motes.models import parse
 
-#: What ``model="auto"`` compares.
-CANDIDATES = (
-    "lambert",
-    "oren_nayar",
-    "lambert + torrance_sparrow",
-    "oren_nayar + torrance_sparrow",
-    "dust_layer(oren_nayar + torrance_sparrow)",
+
+class Candidate(NamedTuple):
+    """A rung of the ladder that ``model="auto"`` climbs.
+
+    `few` where the few samples of a texel can tell it from the others, `slow` where it takes ten times as long as these.
+    """
+
+    text: str
+    few: bool = False
+    slow: bool = False
+
+
+#: What ``model="auto"`` compares, the simplest first: diffuse, a highlight, its Fresnel term, facets with tails, a coat, a rise
+#: towards grazing, and layers of dust, as printed and with all orders of scattering.
+LADDER = (
+    Candidate("lambert", few=True),
+    Candidate("oren_nayar", few=True),
+    Candidate("lambert + torrance_sparrow", few=True),
+    Candidate("oren_nayar + torrance_sparrow", few=True),
+    Candidate("oren_nayar + torrance_sparrow(fresnel=schlick)"),
+    Candidate("eon + ggx(fresnel=schlick)"),
+    Candidate("eon + gtr(fresnel=schlick)"),
+    Candidate("coated_diffuse + ggx(fresnel=schlick)"),
+    Candidate("coated_diffuse + gtr(fresnel=schlick)"),
+    Candidate("coated_diffuse + hapke(B_0=0, h=0.1) + ggx(fresnel=schlick)"),
+    Candidate("dust_layer(oren_nayar + torrance_sparrow)", few=True),
+    Candidate("dust_layer(eon + gtr(fresnel=schlick))"),
+    Candidate("dust_layer(oren_nayar + torrance_sparrow, scattering=multiple)", slow=True),
+    Candidate("dust_layer(eon + gtr(fresnel=schlick), scattering=multiple)", slow=True),
 )
+CANDIDATES = tuple(candidate.text for candidate in LADDER)
+#: Those of them that the texels of a map are fitted with.
+TEXEL_CANDIDATES = tuple(candidate.text for candidate in LADDER if candidate.few)
 # Residuals below this share of the data are rounding, not noise.
 NOISE_FLOOR = 1e-6
 
@@ -45,53 +70,18 @@ def bic(objective: float, samples: int, parameters: float, brightness: float = 0
     return samples * math.log(max(2 * objective / samples, least)) + parameters * math.log(samples)
 
 
-class Attempt(Protocol):
-    """A candidate, fitted."""
+def summed(by_part: Sequence[Sequence[Trial]], chosen: tuple[str, tuple[str, ...]] | None = None) -> tuple[Trial, ...]:
+    """Trials of several parts of the data as trials of all, for the models that every part could try.
 
-    @property
-    def bic(self) -> float: ...
-
-    def trial(self) -> Trial: ...
-
-
-A = TypeVar("A", bound=Attempt)
-
-
-def best_of(candidates: Iterable[Any], attempt: Callable[[Any], A]) -> tuple[A, tuple[Trial, ...]]:
-    """The attempt with the smallest BIC, and all trials; candidates with too many parameters for the data are passed over.
-
-    Raises
-    ------
-    DataError
-        Of the first candidate, when the data suffice for none.
+    What was `chosen`, the model and what it has for each channel, is marked; without it the smallest BIC.
     """
-    best: A | None = None
-    trials: list[Trial] = []
-    too_few: DataError | None = None
-    for candidate in candidates:
-        try:
-            found = attempt(candidate)
-        except DataError as error:
-            too_few = too_few or error
-            continue
-        trials.append(found.trial())
-        if best is None or found.bic < best.bic:
-            best = found  # the others are let go: their arrays are as large as the data
-    if best is None:
-        assert too_few is not None
-        raise too_few
-    return best, tuple(replace(trial, chosen=trial.bic == best.bic) for trial in trials)
-
-
-def summed(by_part: Sequence[Sequence[Trial]]) -> tuple[Trial, ...]:
-    """Trials of several parts of the data as trials of all, for the models that every part could try; the best is marked."""
-    by_model: dict[str, list[Trial]] = {}
+    by_model: dict[tuple[str, tuple[str, ...]], list[Trial]] = {}
     for trials in by_part:
         for trial in trials:
-            by_model.setdefault(trial.model, []).append(trial)
+            by_model.setdefault((trial.model, trial.per_channel), []).append(trial)
     complete = {name: trials for name, trials in by_model.items() if len(trials) == len(by_part)}
     total = {name: sum(t.bic for t in trials) for name, trials in complete.items()}
-    best = min(total, key=lambda name: total[name])
+    best = min(total, key=lambda name: total[name]) if chosen is None else chosen
     return tuple(
         replace(
             trials[0],
@@ -99,13 +89,14 @@ def summed(by_part: Sequence[Sequence[Trial]]) -> tuple[Trial, ...]:
             objective=sum(t.objective for t in trials),
             relative_rms=float(np.mean([t.relative_rms for t in trials])),
             n_samples=sum(t.n_samples for t in trials),
+            left_out=float(np.sqrt(np.mean([t.left_out**2 for t in trials]))),
             chosen=name == best,
         )
         for name, trials in complete.items()
     )
 
 
-def check_names(names: Collection[str] | Mapping[str, Any]) -> None:
+def check_names(names: Collection[str] | Mapping[str, Any], candidates: Sequence[str] = CANDIDATES) -> None:
     """That each is a parameter of one of the candidates at least.
 
     Raises
@@ -113,7 +104,7 @@ def check_names(names: Collection[str] | Mapping[str, Any]) -> None:
     MotesError
         Which is not.
     """
-    known = {slot.name: None for text in CANDIDATES for slot in parse(text).model.slots()}
+    known = {slot.name: None for text in candidates for slot in parse(text).model.slots()}
     for name in names:
         if name not in known:
             raise MotesError(f"no model that auto tries has a parameter {name!r}", f"They have {', '.join(known)}")

@@ -51,7 +51,8 @@ def fit(
         The measurement; masked samples are left out.
     model
         Text such as ``"oren_nayar + torrance_sparrow"`` (values given in it are held, see `motes.models.parse`), a BRDF
-        (the fit also starts from its values), or ``"auto"``: the candidate with the smallest BIC.
+        (the fit also starts from its values), or ``"auto"``: the simplest of the candidates that
+        predicts directions left out of its fit as well as any; see `motes.fitting.judgement`.
     loss
         ``"linear"``, ``"plain"``, ``"log"`` or ``"cube_root"``; see `motes.fitting.losses`.
     robust

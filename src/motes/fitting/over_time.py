@@ -12,9 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes.errors import DataError, MotesError
+from motes.fitting.advice import about_dust
 from motes.fitting.choice import is_auto, summed
+from motes.fitting.climbing import climb
 from motes.fitting.estimating import estimated
 from motes.fitting.joint import Joint
+from motes.fitting.judgement import Contender, Judgement, judged
+from motes.fitting.ladder import Rung
 from motes.fitting.losses import ROBUST, Floats
 from motes.fitting.metrics import chi_square, deviation, distances
 from motes.fitting.outliers import joint_fit
@@ -23,7 +27,6 @@ from motes.fitting.result import Progress, Trial
 from motes.fitting.scans import ScanFits, fit_scans, single
 from motes.fitting.setup import Setup, Wishes, prepare
 from motes.fitting.solver import Solution
-from motes.fitting.static import fit_scan
 from motes.fitting.time_findings import findings
 from motes.fitting.time_result import Alternative, ScanOutlier, TimeFit, TrendFit
 from motes.fitting.trend_choice import determined
@@ -64,9 +67,15 @@ def fit_over_time(
             "errors 'profile' is for one time, and these are trends over several",
             "Choose one with time= (--time), or errors='bootstrap' (--errors bootstrap)",
         )
+    dusty: bool | None = None
+    text = ""
+    said: tuple[str, ...] = ()
     if is_auto(model):
         say(0, 100, "choosing the model")
-        model, tried = _choose(data, usable, wishes)
+        judgement, tried = _choose(data, usable, wishes)
+        chosen, dusty, said = judgement.chosen, judgement.dusty, about_dust(judgement)
+        model = text = chosen.text
+        wishes = replace(wishes, per_channel=(*wishes.per_channel, *chosen.per_channel))
     setup = prepare(data, model, wishes)
     problem = setup.problem
     names = [q.name for q in problem.quantities]
@@ -95,14 +104,30 @@ def fit_over_time(
         fits = fit_scans(problem, usable)
     say(40, 100, "choosing trends")
     joint, solution, alternatives, outliers = joint_fit(problem, hours, fits, usable, kinds, say)
-    return _result(data, setup, wishes, joint, solution, alternatives, outliers, fits, usable, tried, started, say)
+    result = _result(data, setup, wishes, joint, solution, alternatives, outliers, fits, usable, tried, started, say)
+    return replace(result, dusty=dusty, model_text=text or result.model_text, findings=(*result.findings, *said))
 
 
-def _choose(data: Measurement, usable: NDArray[np.intp], wishes: Wishes) -> tuple[str, tuple[Trial, ...]]:
-    """The candidate with the smallest BIC over the first, the middle and the last scan together."""
+def _choose(data: Measurement, usable: NDArray[np.intp], wishes: Wishes) -> tuple[Judgement, tuple[Trial, ...]]:
+    """What is taken for the first, the middle and the last scan together, and what was tried."""
     looked_at = sorted({int(usable[0]), int(usable[len(usable) // 2]), int(usable[-1])})
-    trials = summed([fit_scan(data.at(t), "auto", replace(wishes, errors="independent")).tried for t in looked_at])
-    return next(trial.model for trial in trials if trial.chosen), trials
+    # The last first: dust gathers, and a layer that one scan asks for is tried on the others.
+    scans: list[tuple[Rung, ...]] = []
+    for t in reversed(looked_at):
+        scans.insert(0, climb(data.at(t), wishes, also=[rung.text for scan in scans for rung in scan]))
+    columns = [
+        found
+        for rung in scans[-1]
+        if len(found := [r for scan in scans for r in scan if _key(r) == _key(rung)]) == len(scans)
+    ]
+    judgement = judged([Contender.of(column) for column in columns])
+    chosen = judgement.chosen
+    trials = summed([[rung.trial() for rung in scan] for scan in scans], (chosen.text, chosen.per_channel))
+    return judgement, trials
+
+
+def _key(rung: Rung) -> tuple[str, tuple[str, ...]]:
+    return rung.text, rung.per_channel
 
 
 def _result(

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any, ClassVar, final
 
@@ -60,9 +61,12 @@ class FittedParameter:
 @final
 @dataclass(frozen=True)
 class Trial:
-    """A model that was tried, as ``model="auto"`` compares them; the smallest ``bic`` is chosen.
+    """A model that was tried, as ``model="auto"`` compares them.
 
-    ``n_samples`` is smaller than the data's where large data were compared on an even part of them.
+    ``left_out`` is the relative RMS of what the loss weighs, over blocks of directions that were left out and predicted by a fit to
+    the others; NaN where none were. `motes.fitting.judgement` says what is chosen by it; maps choose by the ``bic``.  ``n_samples`` is
+    smaller than the data's where large data were compared on an even part of them.  ``per_channel`` names what was fitted for each
+    channel that is shared otherwise.
     """
 
     model: str
@@ -73,6 +77,8 @@ class Trial:
     status: Status
     chosen: bool
     n_samples: int
+    left_out: float = math.nan
+    per_channel: tuple[str, ...] = ()
 
 
 #: Called with (done, total, what).
@@ -109,6 +115,8 @@ class Result(ABC):
         The effort.
     errors
         What the error bars take as independent, and why.
+    dusty
+        Whether a layer of dust lies on it: True, False, or None where the data cannot tell, or nothing was compared with one.
     """
 
     material: Material
@@ -124,6 +132,7 @@ class Result(ABC):
     iterations: int
     seconds: float
     errors: ErrorBars
+    dusty: bool | None = field(default=None, kw_only=True)
 
     #: What `motes.outlets` calls results of this kind, and the ``format`` of their JSON.
     kind: ClassVar[str]
@@ -140,6 +149,7 @@ class Result(ABC):
             "status": str(self.status),
             "converged": self.status.ok,
             "errors": self.errors.to_dict(),
+            "dusty": self.dusty,
         }
         after = {
             "findings": list(self.findings),

@@ -9,19 +9,21 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from motes.directions import above
 from motes.errors import DataError
-from motes.fitting.choice import CANDIDATES, best_of, bic, check_names, is_auto
+from motes.fitting.advice import about_choice
+from motes.fitting.choice import CANDIDATES, bic, is_auto
+from motes.fitting.climbing import climb, even_rows
 from motes.fitting.estimating import estimated
-from motes.fitting.losses import LOSSES, ROBUST, Floats
+from motes.fitting.judgement import Contender, judged
+from motes.fitting.losses import ROBUST, Floats
 from motes.fitting.metrics import chi_square, deviation, distances, relative_rms
 from motes.fitting.plausibility import implausible_fit
 from motes.fitting.problem import Problem, even_channels
 from motes.fitting.result import Fit, FittedParameter, Progress, Trial
 from motes.fitting.scaled import NAME, Scaled, in_units
-from motes.fitting.setup import Wishes, prepare, sample_weights
+from motes.fitting.setup import Wishes, prepare
 from motes.fitting.solver import Solution
 from motes.fitting.starts import starting_points
 from motes.fitting.uncertainty import at_rest
@@ -31,53 +33,39 @@ from motes.measurements import Measurement
 from motes.measurements.doubts import implausible
 from motes.models import BRDF, describe
 
-#: With more than three times as many samples, candidates are compared on this many.
-COMPARED_SAMPLES = 200_000
+#: With more than three times as many samples, starts are thinned out on a part of so many first.
+PART_SAMPLES = 200_000
 
 
 def fit_scan(data: Measurement, model: str | BRDF, wishes: Wishes, progress: Progress | None = None) -> Fit:
     """Fit a measurement with one time."""
     started = clock.perf_counter()
-    auto = is_auto(model)
-    texts: tuple[str | BRDF, ...] = CANDIDATES if auto else (model,)
-    if auto:
-        check_names((*wishes.fixed, *wishes.per_channel))
-    # Candidates are compared on a part of large data; the chosen one is then fitted to all.
-    compared, compared_wishes = data, wishes
-    if auto and data.n_directions * data.n_channels > 3 * COMPARED_SAMPLES:
-        rows = _even_rows(data.n_directions, COMPARED_SAMPLES // data.n_channels)
-        compared = data.select(rows)
-        if not isinstance(wishes.weights, str):
-            sample_weights(
-                data, wishes.weights, LOSSES[wishes.loss]
-            )  # complains of a wrong shape before rows are taken
-            compared_wishes = replace(wishes, weights=np.asarray(wishes.weights, float)[rows])
-    channels = even_channels(compared.mask) if auto else None
-    partly = compared is not data or channels is not None
-    steps = len(texts) + partly
-    done = 0
+    say = progress or (lambda done, total, what: None)
+    if not is_auto(model):
+        text = model if isinstance(model, str) else describe(model) if isinstance(model, BRDF) else ""
+        say(0, 1, text)
+        attempt = _Attempt(data, model, wishes, False)
+        result = attempt.result((replace(attempt.trial(), chosen=True),), started, progress)
+        say(1, 1, "done")
+        return result
+    steps, done = len(CANDIDATES) + 1, 0
 
-    def attempt(candidate: str | BRDF) -> _Attempt:
+    def tried(text: str) -> None:
         nonlocal done
-        if progress:
-            progress(done, steps, candidate if isinstance(candidate, str) else describe(candidate))
+        say(min(done, steps - 1), steps, text)
         done += 1
-        return _Attempt(compared, candidate, compared_wishes, auto, channels=channels)
 
-    best, tried = best_of(texts, attempt)
-    if partly:
-        if progress:
-            progress(len(texts), steps, f"{describe(best.brdf)}, all samples")
-        best = _Attempt(data, describe(best.brdf), wishes, True, best.x if channels is None else None)
-    result = best.result(tried, started, progress)
-    if progress:
-        progress(steps, steps, "done")
-    return result
-
-
-def _even_rows(n: int, count: int) -> NDArray[np.intp]:
-    """`count` of `n` rows, drawn evenly; the same each time."""
-    return np.sort(np.random.default_rng(19940724).choice(n, min(n, count), replace=False))
+    rungs = climb(data, wishes, tried)
+    judgement = judged([Contender.of([rung]) for rung in rungs])
+    taken = judgement.chosen.of_rungs(rungs)
+    say(steps - 1, steps, f"{taken.text}, all samples")
+    own = replace(wishes, per_channel=(*wishes.per_channel, *taken.per_channel))
+    best = _Attempt(data, taken.text, own, True, taken.x)
+    trials = tuple(replace(rung.trial(), chosen=rung is taken) for rung in rungs)
+    result = best.result(trials, started, progress)
+    say(steps, steps, "done")
+    said = about_choice(taken, rungs, judgement)
+    return replace(result, dusty=judgement.dusty, model_text=taken.text, findings=(*result.findings, *said))
 
 
 def _starts(problem: Problem, given: Floats | None) -> Floats:
@@ -85,16 +73,16 @@ def _starts(problem: Problem, given: Floats | None) -> Floats:
     work = len(problem.wi) * problem.channels
     starts = starting_points(problem, given, most=int(np.clip(600_000 // work, 3, 16)))
     # With much data a part of it says nearly the same: thin the starts out on growing parts first.
-    for samples, most in ((20_000, 3), (COMPARED_SAMPLES, 1)):
+    for samples, most in ((20_000, 3), (PART_SAMPLES, 1)):
         if work > 3 * samples:
-            part = problem.at_directions(_even_rows(len(problem.wi), max(200, samples // problem.channels)))
+            part = problem.at_directions(even_rows(len(problem.wi), max(200, samples // problem.channels)))
             rough = part.solve(starts, max_iterations=60, reduction=1e-7)
             starts = rough.x[np.argsort(rough.normal.objective, kind="stable")[:most]]
     return starts
 
 
 class _Attempt:
-    """One candidate, fitted; to some of the `channels` for a comparison, which has no `result`."""
+    """A model, fitted; `near` is where a fit of the same model to the same data, or to a part of them, ended."""
 
     def __init__(
         self,
@@ -103,19 +91,17 @@ class _Attempt:
         wishes: Wishes,
         lenient: bool,
         near: Floats | None = None,
-        channels: NDArray[np.intp] | None = None,
     ) -> None:
         self.data, self.wishes = data, wishes
         self.brdf, start, self.problem, self.factor = prepare(data, model, wishes, lenient)
-        self.channels: Any = slice(None) if channels is None else channels
-        if channels is not None:
-            self.problem = self.problem.some_channels(channels)
         if self.problem.samples <= self.problem.size:
             raise DataError(
                 f"{self.problem.samples} usable sample(s) cannot determine the {self.problem.size} parameters "
                 f"of {describe(self.brdf)}",
                 "Measure more directions, or fit a smaller model",
             )
+        if near is not None and len(near) != self.problem.size:
+            near = None  # of other channels
         self.solution = self._solve(self._vector(start) if start else None, near)
         self.x = at_rest(self.problem, self.solution.x[self.solution.best()])
         self.objective = float(self.solution.normal.objective.min())
@@ -138,7 +124,7 @@ class _Attempt:
         problem = self.problem
         work = len(problem.wi) * problem.channels
         # A relative change of the objective of 1/work moves the parameters by about a standard error.
-        reduction = min(1e-8, 1e-2 / work) if work > COMPARED_SAMPLES else 1e-10
+        reduction = min(1e-8, 1e-2 / work) if work > PART_SAMPLES else 1e-10
         if near is not None:
             starts = near[None]
         elif (channels := even_channels(problem.weights)) is not None:
@@ -189,8 +175,8 @@ class _Attempt:
 
     @cached_property
     def relative_rms(self) -> float:
-        mask = self.data.mask[0][:, self.channels]
-        return relative_rms(self.predicted[mask], self.data.values[0][:, self.channels][mask])
+        mask = self.data.mask[0]
+        return relative_rms(self.predicted[mask], self.data.values[0][mask])
 
     def trial(self) -> Trial:
         return Trial(

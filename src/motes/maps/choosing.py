@@ -1,4 +1,4 @@
-"""Which model a map prefers: the candidates and the criterion of `motes.fitting.choice`, on texels from all over it."""
+"""Which model a map prefers: the candidates that texels can tell apart, by the BIC (`motes.fitting.choice`), on texels from all over it."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes.errors import DataError, MotesError
-from motes.fitting.choice import CANDIDATES, bic, summed
+from motes.fitting.choice import TEXEL_CANDIDATES, bic, summed
 from motes.fitting.joint import Joint
 from motes.fitting.losses import ROBUST, Floats
 from motes.fitting.metrics import deviation, relative_rms
@@ -47,7 +47,7 @@ def choose(stack: MapStack, settings: Settings, rows: Singles) -> Choice:
     if settings.model != "auto":
         solver = solver_of(stack, settings, settings.model)
         return Choice(settings.model, solver.starts(rows), ())
-    texts = [text for text in CANDIDATES if set(parse(text).model.parameters) - set(settings.fixed)]
+    texts = [text for text in TEXEL_CANDIDATES if set(parse(text).model.parameters) - set(settings.fixed)]
     if not texts:
         raise MotesError("every parameter is held, so there is nothing to fit", "Hold fewer parameters")
     found: list[_Fitted] = []

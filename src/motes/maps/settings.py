@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from motes.directions import HALF_PI, HORIZON
 from motes.errors import DataError, MotesError
-from motes.fitting.choice import check_names, is_auto
+from motes.fitting.choice import TEXEL_CANDIDATES, check_names, is_auto
 from motes.fitting.losses import loss_named, robust_named
 from motes.fitting.texels import TexelSolver
 from motes.maps.blocks import Blocks
@@ -228,7 +228,7 @@ def _checked_model(
                 f"{', '.join(fixed)} is held without a value, and the model is to be chosen",
                 "Give each a value: --fix NAME=VALUE, a mapping in Python",
             )
-        check_names((*fixed, *per_channel, *trends))
+        check_names((*fixed, *per_channel, *trends), TEXEL_CANDIDATES)
         return "auto", dict(fixed) if isinstance(fixed, Mapping) else {}
     if not isinstance(model, (str, BRDF)):
         raise DataError(f"a model of type {type(model).__name__} cannot be fitted", "Give text, or a BRDF")

@@ -78,6 +78,12 @@ def layer_of(model: BRDF) -> Layer | None:
     return Layer(model, depth, bases[0]) if bases and depth is not None else None
 
 
+def in_words(model: BRDF, *, dusty: bool | None) -> str:
+    """A model as reports name it: a layer is called what it is made of where that was found, and else what it does."""
+    layer = layer_of(model)
+    return model.in_words() if layer is None or dusty else f"{layer.base.in_words()}, with a grazing roll-off"
+
+
 def on_base(model: BRDF, change: Callable[[BRDF], BRDF]) -> BRDF:
     """The model with what lies below all its layers changed; itself changed where it has none."""
     layer = layer_of(model)

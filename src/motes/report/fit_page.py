@@ -13,6 +13,7 @@ from motes.drawing.sphere import LIGHTS, sphere_radiances
 from motes.files import write_text
 from motes.fitting.result import Fit
 from motes.measurements.origin import not_measured
+from motes.models.composition import in_words
 from motes.report import findings, sections
 from motes.report.document import (
     Section,
@@ -112,7 +113,12 @@ def _headline(context: Context) -> Html:
     )
     words = f"A sphere of the fitted material, lit {LIGHTS['three-quarter'].words}"
     return headline(
-        (context.spheres["three-quarter"], words), data.name, fit.brdf.in_words(), lead, facts, fit.findings
+        (context.spheres["three-quarter"], words),
+        data.name,
+        in_words(fit.brdf, dusty=fit.dusty),
+        lead,
+        facts,
+        fit.findings,
     )
 
 

@@ -211,9 +211,15 @@ def tried(context: Context) -> Html | None:
     best = min((t.bic for t in tried if math.isfinite(t.bic)), default=math.nan)
     rows = [
         [
-            tag("td", tag("code", t.model), tag("span", " ✓ chosen", class_="verdict good") if t.chosen else None),
+            tag(
+                "td",
+                tag("code", t.model),
+                f" ({', '.join(t.per_channel)} per channel)" if t.per_channel else None,
+                tag("span", " ✓ chosen", class_="verdict good") if t.chosen else None,
+            ),
             tag("td", t.n_parameters, class_="number"),
             tag("td", percent(t.relative_rms), class_="number"),
+            tag("td", percent(t.left_out) if math.isfinite(t.left_out) else "–", class_="number"),
             tag("td", f"{t.bic:,.1f}".replace("-", "−"), class_="number"),
             tag("td", f"+{t.bic - best:,.1f}" if t.bic > best else "0", class_="number"),
             str(t.status),
@@ -221,7 +227,9 @@ def tried(context: Context) -> Html | None:
         for t in tried
     ]
     note = (
-        "BIC weighs closeness against the number of parameters; the smallest is chosen. A difference above 10 is strong evidence, given independent noise."
+        "Left out: the relative RMS, weighted as the loss weighs, of blocks of directions that a fit to the others predicts. The simplest model "
+        "is chosen than which the best predicts better by less than a standard error, or which has the smaller BIC; a layer only where it is "
+        "dust. BIC weighs closeness against the number of parameters, given independent noise."
         if len(tried) > 1
         else 'One model was asked for, so none was compared; model="auto" compares several.'
     )
@@ -229,7 +237,7 @@ def tried(context: Context) -> Html | None:
     if len(tried) > 1 and compared < context.fit.measurement.mask.sum():
         note += f" They were compared on {compared:,} samples spread evenly over the data; the chosen one was then fitted to all."
     return join(
-        table(("model", "free parameters", "relative RMS", "BIC", "above the best", "status"), rows),
+        table(("model", "free parameters", "relative RMS", "left out", "BIC", "above the best", "status"), rows),
         tag("p", note, class_="note"),
     )
 

@@ -18,6 +18,7 @@ from motes.fitting.result import Fit
 from motes.fitting.time_result import TimeFit
 from motes.material import Material
 from motes.measurements.origin import not_measured
+from motes.models.composition import in_words
 from motes.report import time_sections
 from motes.report.document import (
     Section,
@@ -196,7 +197,7 @@ def _headline(context: TimeContext) -> Html:
         ("time to fit", f"{fit.seconds:.2g} s"),
     ]
     alt = f"A sphere of the material at {times.words(context.film_hours[-1])}, lit {LIGHTS['three-quarter'].words}"
-    model = f"{fit.brdf.in_words()}, {times.words(times.first)} to {times.words(times.last)}"
+    model = f"{in_words(fit.brdf, dusty=fit.dusty)}, {times.words(times.first)} to {times.words(times.last)}"
     said = not_measured(data.provenance)
     lead = (f"{said} " if said else None, verdict(fit, times), " ", changes(fit))
     return headline((context.spheres["three-quarter"][-1], alt), data.name, model, lead, facts)

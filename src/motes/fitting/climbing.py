@@ -1,0 +1,172 @@
+"""``model="auto"``: the ladder of candidates, climbed for one scan; `motes.fitting.judgement` says where to stop."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from motes.errors import DataError
+from motes.fitting.choice import LADDER, check_names
+from motes.fitting.direction_blocks import Labels, blocks_of
+from motes.fitting.judgement import FEWEST_BLOCKS, Contender, clearly_better
+from motes.fitting.ladder import Rung, rung_of, under_robust
+from motes.fitting.losses import LOSSES
+from motes.fitting.problem import even_channels
+from motes.fitting.setup import Wishes, prepare, sample_weights
+from motes.measurements import Measurement
+from motes.models import describe, parse
+from motes.models.composition import layer_of
+from motes.parameters import Role
+
+# Candidates are compared on so many samples, and on so many directions at least; data of three times as many are thinned evenly.
+COMPARED_SAMPLES, COMPARED_DIRECTIONS = 12_000, 1_000
+# A layer with all orders of scattering is slow: it is tried where one that scatters once, over the same base, leaves less than this share of
+# the least that a clean candidate leaves, of what it was fitted to or of what was left out.
+WORTH_TRYING = 0.7, 0.8
+
+Say = Callable[[str], None]
+
+
+def climb(
+    data: Measurement, wishes: Wishes, say: Say = lambda what: None, also: Collection[str] = ()
+) -> tuple[Rung, ...]:
+    """Fit the candidates to one scan; in the order of the ladder.
+
+    Parameters
+    ----------
+    say
+        Called with each candidate before it is fitted.
+    also
+        Candidates that are fitted even if they do not look worth it.
+
+    Raises
+    ------
+    DataError
+        Of the first candidate, when the data suffice for none.
+    """
+    check_names((*wishes.fixed, *wishes.per_channel))
+    rows = _compared(data)
+    if rows is not None:
+        if not isinstance(wishes.weights, str):
+            # Complains of a wrong shape before rows are taken.
+            sample_weights(data, wishes.weights, LOSSES[wishes.loss])
+            wishes = replace(wishes, weights=np.asarray(wishes.weights, float)[rows])
+        data = data.select(rows)
+    channels = even_channels(data.mask)
+    ladder = _Ladder(data, wishes, channels, say)
+    if wishes.robust != "none":
+        plain = _Ladder(data, wishes, channels, say)
+        plain.clean()
+        ladder.plain = plain.rungs
+    ladder.clean()
+    ladder.highlights_per_channel()
+    ladder.layers(also)
+    if not ladder.rungs:
+        raise ladder.too_few or DataError("no candidate of auto has a parameter that is free", "Hold fewer parameters")
+    return tuple(ladder.rungs)
+
+
+def _compared(data: Measurement) -> NDArray[np.intp] | None:
+    """The directions that candidates are compared on; None for all."""
+    count = max(COMPARED_DIRECTIONS, COMPARED_SAMPLES // data.n_channels)
+    return even_rows(data.n_directions, count) if data.n_directions > 3 * count else None
+
+
+def even_rows(n: int, count: int) -> NDArray[np.intp]:
+    """`count` of `n` rows, drawn evenly; the same each time."""
+    return np.sort(np.random.default_rng(19940724).choice(n, min(n, count), replace=False))
+
+
+class _Ladder:
+    """The candidates that were fitted so far."""
+
+    def __init__(self, data: Measurement, wishes: Wishes, channels: NDArray[np.intp] | None, say: Say) -> None:
+        self.data, self.wishes, self.channels, self.say = data, wishes, channels, say
+        self.rungs: list[Rung] = []
+        self.plain: Sequence[Rung] = ()  # fits without the robust function, which tell its scale
+        self.too_few: DataError | None = None
+        self._blocks: Labels | None = None
+
+    def clean(self) -> None:
+        """Those without a layer."""
+        for candidate in LADDER:
+            if layer_of(parse(candidate.text).model) is None:
+                self._try(candidate.text)
+
+    def highlights_per_channel(self) -> None:
+        """Those with a highlight once more, its strength for each channel, where that mends the best of them."""
+        shared = [(rung, _strengths(rung)) for rung in self.rungs]
+        coloured = [(rung, names) for rung, names in shared if names]
+        if self.data.n_channels < 2 or not coloured:
+            return
+        best, names = min(coloured, key=lambda found: float(found[0].left_out.sum()))
+        tried = self._try(best.text, names)
+        if tried is None or not clearly_better(Contender.of([tried]), Contender.of([best])):
+            self.rungs = [rung for rung in self.rungs if rung is not tried]
+            return
+        self.rungs.remove(tried)
+        for rung, own in coloured:
+            self._try(rung.text, own)
+
+    def layers(self, also: Collection[str]) -> None:
+        """Those with a layer; with the strengths of highlights as the best clean one has them."""
+        if not self.rungs:
+            return
+        best = min(self.rungs, key=lambda rung: float(rung.left_out.sum()))
+        least = min(rung.objective for rung in self.rungs), float(best.left_out.sum())
+        for candidate in LADDER:
+            model = parse(candidate.text).model
+            layer = layer_of(model)
+            if layer is None:
+                continue
+            if candidate.slow and candidate.text not in also:
+                once = [rung for rung in self.rungs if _base(rung) == describe(layer.base)]
+                left = [(rung.objective, float(rung.left_out.sum())) for rung in once]
+                if not any(
+                    x < share * y for pair in left for x, share, y in zip(pair, WORTH_TRYING, least, strict=True)
+                ):
+                    continue
+            names = tuple(slot.name for slot in model.slots(Role.HIGHLIGHT_STRENGTH)) if best.per_channel else ()
+            self._try(candidate.text, names)
+
+    def _try(self, text: str, per_channel: tuple[str, ...] = ()) -> Rung | None:
+        """A candidate as a new rung; None where it has too many parameters for the data, or none that is free."""
+        wishes = self.wishes
+        parsed = parse(text)
+        if not set(parsed.model.parameters) - set(wishes.fixed) - parsed.fixed:
+            return None
+        self.say(text)
+        own = replace(wishes, per_channel=(*wishes.per_channel, *per_channel))
+        try:
+            brdf, _, problem, _ = prepare(self.data, text, own, lenient=True)
+            if self.channels is not None:
+                problem = problem.some_channels(self.channels)
+            if self._blocks is None:
+                self._blocks = blocks_of(problem.wi, problem.wo)
+                if self._blocks.max() + 1 < FEWEST_BLOCKS:
+                    self._blocks = np.zeros_like(self._blocks)
+            problem = under_robust(problem, wishes.robust, self.plain) if self.plain else problem
+            found = rung_of(text, brdf, problem, self.rungs, self._blocks, per_channel)
+        except DataError as error:
+            self.too_few = self.too_few or error
+            return None
+        self.rungs.append(found)
+        return found
+
+
+def _strengths(rung: Rung) -> tuple[str, ...]:
+    """The strengths of highlights that all channels share, and could have for themselves."""
+    return tuple(
+        q.name
+        for q in rung.problem.quantities
+        if q.parameter.role is Role.HIGHLIGHT_STRENGTH and q.parameter.per_channel and not q.per_channel
+    )
+
+
+def _base(rung: Rung) -> str:
+    """What lies below the layer of a candidate; empty where it has none."""
+    layer = layer_of(rung.brdf)
+    return "" if layer is None else describe(layer.base)
