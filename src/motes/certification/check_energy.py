@@ -32,6 +32,8 @@ def check_energy(specimen: Specimen) -> Check:
     lights = from_spherical(np.radians(ANGLES), PHI)
     found = [albedo(specimen.eval, wi) for wi in lights]
     values, errors = np.stack([a for a, _ in found]), np.stack([e for _, e in found])
+    values = np.nan_to_num(values, posinf=np.finfo(np.float64).max)
+    errors = np.where(np.isfinite(errors), errors, 0.0)  # values whose squares overflow
     peaks = _peaks(specimen, lights, values.shape[1])
     total = values + peaks
     excess = total - 1 - 4 * errors

@@ -7,7 +7,7 @@ import numpy as np
 from motes.certification.certificate import Check, Finding
 from motes.certification.hemisphere import grazing, upper
 from motes.certification.specimen import Floats, Numbers, Specimen
-from motes.certification.wording import degrees, plain, share
+from motes.certification.wording import degrees, plain, share, typical
 from motes.directions import from_spherical
 
 COUNT = 1500
@@ -59,7 +59,7 @@ def _places() -> dict[str, tuple[Floats, Floats]]:
 
 def _relative(wide: Floats, narrow: Numbers) -> Floats:
     """The largest error over channels (N,), relative; what is not finite in float32 alone is an error of all of it."""
-    floor = 1e-6 * float(np.nanmedian(np.abs(wide))) + 1e-30
+    floor = 1e-6 * typical(wide) + 1e-30
     with np.errstate(all="ignore"):
         error = np.abs(narrow.astype(np.float64) - wide) / (np.abs(wide) + floor)
     error = np.where(np.isfinite(wide), np.where(np.isfinite(error), error, 1.0), 0.0)

@@ -8,7 +8,7 @@ import numpy as np
 
 from motes.certification.certificate import Check, Finding, Outcome
 from motes.certification.specimen import Floats, Specimen
-from motes.certification.wording import degrees, plain, share
+from motes.certification.wording import degrees, plain, share, typical
 from motes.directions import from_spherical
 
 POLAR = np.arange(5.0, 86.0, 10.0)
@@ -87,7 +87,7 @@ def check_reciprocity(specimen: Specimen) -> Check:
 def _difference(forth: Floats, back: Floats) -> Floats:
     """The largest relative difference over channels (N,); values far below the rest count by the scale of all."""
     size = np.maximum(np.abs(forth), np.abs(back))
-    floor = 1e-5 * np.nanmedian(size) + 1e-12
+    floor = 1e-5 * typical(size) + 1e-12
     with np.errstate(all="ignore"):
         ratio = np.abs(forth - back) / (size + floor)
     return np.asarray(np.nan_to_num(ratio, nan=0.0, posinf=1.0).max(axis=1))

@@ -100,7 +100,8 @@ class _Run:
             return 0.0, float("inf"), 1
         expected = SAMPLES * np.append(shares, max(1 - shares.sum(), 1e-6 / SAMPLES))
         statistic, freedom = chi_square(np.append(self.counts, self.lost), expected)
-        return (survival(statistic, freedom) if freedom else 1.0), statistic, freedom
+        # One pooled bin is no agreement: nothing is expected where samples are.
+        return survival(statistic, freedom) if freedom else float(shares.sum() > 0.5), statistic, freedom
 
 
 def check_sampling(specimen: Specimen) -> Check:
@@ -111,6 +112,9 @@ def check_sampling(specimen: Specimen) -> Check:
     level = sidak(SIGNIFICANCE, len(ANGLES))
     lights = from_spherical(np.radians(ANGLES), 0.5)
     runs = [run for k, wi in enumerate(lights) if (run := _run(specimen, wi, k)) is not None]
+    wrong = _directions(specimen, lights)
+    if wrong is not None:
+        return Check("sampling", f"Not judged further: {wrong.says}.", (wrong,), judged=False)
     if not runs:
         return Check(
             "sampling", "Not judged: all samples are mirrored or go through, which has no density.", judged=False
@@ -163,6 +167,29 @@ def _smooth(drawn: Drawn) -> NDArray[np.bool_]:
     return finite if drawn.peaks is None else finite & ~drawn.peaks
 
 
+def _directions(specimen: Specimen, lights: Floats) -> Finding | None:
+    """Whether samples are unit vectors, and on the side from which they can be seen."""
+    assert specimen.sample is not None
+    for wi in lights:
+        drawn = specimen.sample(wi, np.random.default_rng(300).random((2000, 2)))
+        lost = (
+            drawn.peaks is not None and not np.isfinite(drawn.wo).any()
+        )  # a renderer's own way to say that there is none
+        length = np.linalg.norm(drawn.wo, axis=1)
+        off = np.mean(~(np.abs(length - 1) < 1e-3)) if drawn.peaks is None else np.mean(np.abs(length - 1) >= 1e-3)
+        if off > 1e-3 and not lost:
+            says = f"{share(float(off))} of the samples are no unit vectors"
+            return Finding("samples-not-unit", says, "Are they left unnormalised, or divided by 0?")
+        if drawn.peaks is None and not specimen.transmits and np.mean(drawn.wo[:, 2] > 0) < 0.01:
+            says = "Almost all samples lie below the horizon"
+            return Finding(
+                "samples-below-horizon",
+                says,
+                "Do they point the way that light travels? Here they point away from the surface.",
+            )
+    return None
+
+
 def _density(
     specimen: Specimen, runs: list[_Run], judged: list[tuple[float, float, int]], level: float
 ) -> Finding | None:
@@ -171,6 +198,10 @@ def _density(
         return None
     if not numbers:
         return Finding("density-not-finite", "The density is not a finite number everywhere", "Is it divided by 0?")
+    if any((run.shares < -1e-9).any() for run in runs):
+        return Finding(
+            "density-negative", "The density is negative somewhere", "Is its sign wrong, or the horizon's test missing?"
+        )
     totals = ", ".join(f"{run.shares.sum():.4g}" for run in runs)
     kept = ", ".join(f"{run.counts.sum() / SAMPLES:.4g}" for run in runs)
     says = (

@@ -152,7 +152,7 @@ def _below(specimen: Specimen) -> Finding | None:
 
 def _nothing(specimen: Specimen, asked: _Asked) -> Finding | None:
     """A subject that is 0 above the horizon: do its vectors point the other way?"""
-    if np.any(np.nan_to_num(asked.values) != 0):
+    if np.any(np.nan_to_num(asked.values, nan=1.0) != 0):
         return None
     if specimen.pairs is None:
         a, b = upper(600, 5), upper(600, 6)

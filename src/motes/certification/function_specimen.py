@@ -52,7 +52,9 @@ def of_function(
         eval=value,
         digest=digest_of(*texts, repr(sorted(given.items()))),
         sample=None if sample is None else partial(_sampled, partial(sample, **given), f"the sampling of {owner}"),
-        pdf=None if pdf is None else _flat(_vectorised(partial(pdf, **given), f"the density of {owner}")),
+        pdf=None
+        if pdf is None
+        else _flat(_vectorised(partial(pdf, **given), f"the density of {owner}"), f"the density of {owner}"),
         narrow=narrow if keeps else None,
         slopes=None if gradient is None or not given else partial(_slopes, function, gradient, given, owner),
         strict=False,
@@ -103,9 +105,12 @@ def _vectorised(function: Callable[..., Any], owner: str) -> Callable[[Numbers, 
     return one_by_one
 
 
-def _flat(evaluate: Callable[[Numbers, Numbers], Any]) -> Callable[[Floats, Floats], Floats]:
+def _flat(evaluate: Callable[[Numbers, Numbers], Any], owner: str) -> Callable[[Floats, Floats], Floats]:
     def density(wi: Floats, wo: Floats) -> Floats:
-        return np.asarray(evaluate(wi, wo), np.float64).reshape(len(wi))
+        values = shaped(evaluate(wi, wo), len(wi), owner)
+        if values.shape[1] != 1:
+            raise DataError(f"{owner} answers {values.shape[1]} numbers a direction", "Return an array (N,)")
+        return values[:, 0]
 
     return density
 
@@ -139,7 +144,7 @@ def _slopes(
     wi: Floats,
     wo: Floats,
 ) -> Mapping[str, Slopes]:
-    """What ``gradient(wi, wo, **parameters)`` says, by name, against central differences."""
+    """What ``gradient(wi, wo, **parameters)`` says, by name, against central differences: of all components of a parameter together."""
     said = gradient(wi, wo, **given)
     if not isinstance(said, Mapping) or not set(said) <= set(given):
         raise DataError(
@@ -149,7 +154,7 @@ def _slopes(
     found = {}
     for name, slope in said.items():
         value = np.asarray(given[name], np.float64)
-        h = 1e-5 * np.maximum(np.abs(value), 0.1)
+        h = 1e-5 * max(float(np.max(np.abs(value), initial=0.0)), 0.1)
         ends = [shaped(function(wi, wo, **{**given, name: value + s * h}), len(wi), owner) for s in (1, -1)]
-        found[str(name)] = Slopes(shaped(slope, len(wi), owner), (ends[0] - ends[1]) / (2 * np.max(h)))
+        found[str(name)] = Slopes(shaped(slope, len(wi), owner), (ends[0] - ends[1]) / (2 * h))
     return found

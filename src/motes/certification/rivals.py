@@ -103,6 +103,8 @@ def rivals(values: Floats, wi: Floats, wo: Floats, reference: Specimen) -> list[
                     if len(changes) > 2:
                         continue
                     found.append(_judged(values, base * of(ci, co), changes))
+    if not found:  # a reference that is black
+        return [Rival((), 1.0, distance(values, np.zeros_like(values)))]
     found.sort(key=lambda rival: rival.residual)
     enough = 1.3 * found[0].residual + 1e-4
     return sorted(found, key=lambda rival: (rival.residual > enough, _cost(rival), rival.residual))

@@ -113,13 +113,15 @@ def shaped(values: Any, count: int, owner: str) -> Floats:
     DataError
         When it is no array of numbers with a row for each pair of directions.
     """
+    if np.iscomplexobj(values):
+        raise DataError(f"{owner} answers complex numbers", "Return their real part, or their square")
     try:
         array = np.asarray(values, np.float64)
     except (TypeError, ValueError):
         raise DataError(
             f"{owner} answers {type(values).__name__}, which is no array of numbers", "Return an array (N,) or (N, C)"
         ) from None
-    if array.shape[:1] != (count,) or array.ndim > 2:
+    if array.shape[:1] != (count,) or array.ndim > 2 or (array.ndim == 2 and not array.shape[1]):
         raise DataError(
             f"{owner} answers an array of shape {array.shape} for {count} pairs of directions",
             "Return an array (N,) or (N, C)",

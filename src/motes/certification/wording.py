@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from motes.certification.specimen import Floats
 
@@ -14,6 +16,12 @@ def plain(array: Floats | Sequence[float] | float, digits: int = 6) -> object:
     if isinstance(array, (float, int, np.floating)):
         return float(f"{array:.{digits}g}") if np.isfinite(array) else None
     return [plain(part, digits) for part in np.asarray(array)]
+
+
+def typical(values: NDArray[np.floating[Any]]) -> float:
+    """The median size of what is finite; 0 where nothing is."""
+    finite = np.abs(values[np.isfinite(values)])
+    return float(np.median(finite)) if finite.size else 0.0
 
 
 def degrees(wi: Floats, wo: Floats) -> str:

@@ -183,8 +183,9 @@ def _sampling(certificate: Certificate) -> Html | None:
     check = certificate.check("sampling")
     if "picture" not in check.numbers:
         return None
-    counts, expected = (_floats(check.numbers["picture"][name]) for name in ("counts", "expected"))
+    counts, expected = (np.nan_to_num(_floats(check.numbers["picture"][name])) for name in ("counts", "expected"))
     top = max(float(np.percentile(expected, 99.5)), float(np.percentile(counts, 99.5)), 1.0)
+    expected = np.maximum(expected, 0)
     pull = (counts - expected) / np.sqrt(np.maximum(expected, 1.0))
     pictures = {
         "Expected of the density": sequential(np.sqrt(np.clip(expected / top, 0, 1))),
@@ -194,7 +195,7 @@ def _sampling(certificate: Certificate) -> Html | None:
     lowest = check.numbers["picture"]["lowest"]
     panels = [_grid(pixels, title, lowest) for title, pixels in pictures.items()]
     rows = [
-        [f"{a:g}°", f"{s:.1f}", str(n), f"{p:.3g}", f"{i:.5g}", f"{k:.5g}"]
+        [f"{a:g}°", _number(s), str(n), _number(p), _number(i), _number(k)]
         for a, s, n, p, i, k in zip(
             *(
                 check.numbers[name]
@@ -226,7 +227,7 @@ def _precision(certificate: Certificate) -> Html | None:
     if not check.numbers:
         return None
     rows = [
-        [place, f"{row['largest_relative_error']:.2g}", f"{100 * row['share_beyond']:.2g} %"]
+        [place, _number(row["largest_relative_error"]), f"{100 * row['share_beyond']:.2g} %"]
         for place, row in check.numbers.items()
     ]
     note = f"An error counts that is beyond {TOLERANCE:g} and beyond what one rounding of the directions changes in float64, {ROUNDINGS:.0f} times over."
@@ -268,6 +269,10 @@ def _citing(certificate: Certificate) -> Html:
         f"--date {certificate.date or 'DATE'} this page bit by bit."
     )
     return join(tag("dl", *rows, class_="pairs"), tag("p", words))
+
+
+def _number(value: float | None) -> str:
+    return "not finite" if value is None else f"{value:.5g}"
 
 
 def _floats(rows: object) -> NDArray[np.float64]:
