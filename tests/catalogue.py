@@ -16,6 +16,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy.integrate import quad
 
+import layer_blur
 import layer_network
 from golden import Rows, published
 from motes import directions
@@ -248,6 +249,17 @@ def dust_layer_multiple(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
     return model, once + layer_network.brdf(*angles(r), tau, w, g, base)
 
 
+def dust_layer_over_a_highlight(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
+    w, g = physical(r)
+    tau, body, alpha = r["sigma_s"], np.minimum(r["K_d"], 0.9), 0.05 + 0.5 * r["w"] / (1 + r["w"])
+    share = np.exp(-tau / r["cos_theta_i"] - tau / r["cos_theta_r"])
+    base = body / np.pi + 0.5 * published.ggx(*angles(r), alpha)
+    once = (1 - share) * w * phase(r, g) / (4 * np.pi * (r["cos_theta_i"] + r["cos_theta_r"]))
+    more = layer_blur.added(*angles(r), tau, w, g, body, 0 * tau + 0.5, alpha)
+    model = DustLayer(Lambert(column(body)) + GGX(0.5, alpha), Dust(column(w), g), tau, scattering="multiple")
+    return model, share * base + once + more
+
+
 def phase(r: Rows, g: NDArray[np.float64]) -> NDArray[np.float64]:
     """Henyey and Greenstein's phase function by vectors."""
     i, o = (directions.from_spherical(r[f"theta_{k}"], r[f"phi_{k}"]) for k in "ir")
@@ -369,6 +381,12 @@ ENTRIES = (
         "dust_layer_multiple",
         DustLayer(PLASTER, Dust((0.95, 0.8, 0.5), 0.5), tau=0.6, scattering="multiple"),
         dust_layer_multiple,
+    ),
+    Entry(
+        "dust_layer_over_a_highlight",
+        DustLayer(PLASTER + GGX((0.3, 0.2, 0.1), 0.2), Dust((0.95, 0.8, 0.5), 0.7), tau=0.4, scattering="multiple"),
+        dust_layer_over_a_highlight,
+        at_most=None,
     ),
     Entry(
         "dust_on_plaster_and_varnish",  # every name twice or more

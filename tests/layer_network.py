@@ -45,27 +45,41 @@ def outputs(tau: Floats, w: Floats, g: Floats) -> tuple[Floats, Floats, Floats, 
     return met[:, None] * h[:, :6], deep[:, None] * h[:, 6:12], h[:, 12:15], h[:, 15:18], loss * lost * h[:, 18]
 
 
-def brdf(theta_i: Floats, theta_r: Floats, dphi: Floats, tau: Floats, w: Floats, g: Floats, base: Floats) -> Floats:
-    """A layer over a Lambertian base (N,) [1/sr], without what is scattered once."""
-    e, t, c, d, lost = outputs(tau, w, g)
+def functions(mu: Floats, tau: Floats, w: Floats, g: Floats, least: float = 0.0) -> tuple[Floats, Floats]:
+    """E and t."""
+    e, t, _, _, _ = outputs(tau, w, g)
+    hit = 1 - np.exp(-tau / mu)
+    powers = np.vander(stretched(mu), 6, increasing=True)
+    up, down = (np.maximum(np.sum(c * powers, -1), least) for c in (e, t))
+    return hit * up, 1 - hit + hit * down
 
-    def functions(mu: Floats, least: float = 0.0) -> tuple[Floats, Floats]:
-        hit = 1 - np.exp(-tau / mu)
-        powers = np.vander(stretched(mu), 6, increasing=True)
-        up, down = (np.maximum(np.sum(c * powers, -1), least) for c in (e, t))
-        return hit * up, 1 - hit + hit * down
 
+def rule() -> tuple[Floats, Floats]:
+    """Cosines and weights of means over uniform light."""
     x, weights = np.polynomial.legendre.leggauss(12)
     nodes = (0.5 * (x + 1)) ** 2
-    measure = 2 * nodes * 0.5 * weights * 2 * np.sqrt(nodes)
-    values = [functions(np.full_like(tau, node), -np.inf) for node in nodes]
-    E, T = (np.stack([value[k] for value in values], -1) for k in (0, 1))
+    return nodes, 2 * nodes * 0.5 * weights * 2 * np.sqrt(nodes)
+
+
+def returned(tau: Floats, w: Floats, g: Floats) -> Floats:
+    """The share of uniform light that leaves on its own side."""
+    lost = outputs(tau, w, g)[4]
+    nodes, measure = rule()
+    T = np.stack([functions(np.full_like(tau, node), tau, w, g, -np.inf)[1] for node in nodes], -1)
+    hit = np.stack([1 - np.exp(-tau / node) for node in nodes], -1)
+    back: Floats = np.clip(1 - np.maximum(T @ measure, 0) - lost, 0, w * (hit @ measure))
+    return back
+
+
+def brdf(theta_i: Floats, theta_r: Floats, dphi: Floats, tau: Floats, w: Floats, g: Floats, base: Floats) -> Floats:
+    """A layer over a Lambertian base (N,) [1/sr], without what is scattered once."""
+    _, _, c, d, _ = outputs(tau, w, g)
+    nodes, measure = rule()
+    E = np.stack([functions(np.full_like(tau, node), tau, w, g, -np.inf)[0] for node in nodes], -1)
     v = stretched(nodes)
     mean_e = E @ measure
     means = [(E * (p * measure)).sum(-1) / mean_e for p in (v, v**2)]
-    mean_t = np.maximum(T @ measure, 0)
-    returned = np.clip(1 - mean_t - lost, 0, w * (np.stack([1 - np.exp(-tau / node) for node in nodes], -1) @ measure))
-    (e_i, t_i), (e_r, t_r) = functions(np.cos(theta_i)), functions(np.cos(theta_r))
+    (e_i, t_i), (e_r, t_r) = (functions(np.cos(theta), tau, w, g) for theta in (theta_i, theta_r))
     v_i, v_r = stretched(np.cos(theta_i)), stretched(np.cos(theta_r))
     p_i, p_r = ([v - means[0], v**2 - means[1]] for v in (v_i, v_r))
     bracket = 1 + c[:, 0] * p_i[0] * p_r[0] + c[:, 1] * (p_i[0] * p_r[1] + p_i[1] * p_r[0]) + c[:, 2] * p_i[1] * p_r[1]
@@ -74,4 +88,4 @@ def brdf(theta_i: Floats, theta_r: Floats, dphi: Floats, tau: Floats, w: Floats,
     rho = np.clip(waves / (1.15 * bracket), -0.95, 0.95)
     z = rho * np.exp(1j * (np.pi - dphi))  # the geometric series of the waves
     higher = e_i * e_r / (np.pi * mean_e) * bracket * np.maximum(1 + 1.15 * 2 * (z / (1 - z)).real, 0)
-    return higher + base * t_i * t_r / (np.pi * (1 - base * returned))
+    return higher + base * t_i * t_r / (np.pi * (1 - base * returned(tau, w, g)))

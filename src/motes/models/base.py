@@ -329,6 +329,9 @@ class Sum(BRDF):
     def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
         return self.a.components(xp, cos_theta_i) + self.b.components(xp, cos_theta_i)
 
+    def reflected(self, xp: Array, cos_theta_i: Array) -> Array:
+        return self.a.reflected(xp, cos_theta_i) + self.b.reflected(xp, cos_theta_i)
+
     def standard_lobes(self, xp: Array, values: Self, cos_view: Array) -> list[StandardLobe]:
         a, b = self.a.standard_lobes(xp, values.a, cos_view), self.b.standard_lobes(xp, values.b, cos_view)
         return a + b

@@ -15,6 +15,7 @@ from typing import ClassVar, final
 from motes import equations
 from motes.arrays import Array
 from motes.directions import Geometry, Vector
+from motes.models.facet_albedo import BECKMANN_ALBEDO, GAUSSIAN_SPREAD, FacetAlbedo
 from motes.models.fresnel import Fresnel
 from motes.models.lobes import Lobe, Reflection, mirrored
 from motes.models.microfacet import Microfacet, fresnel_term
@@ -170,6 +171,7 @@ class Beckmann(Microfacet):
 
     words: ClassVar[str] = "Beckmann"
     kind: ClassVar[str] = "beckmann"
+    facet_albedo: ClassVar[FacetAlbedo] = BECKMANN_ALBEDO
     approximation: ClassVar[str] = (
         "Beckmann: the same facets in Mitsuba, whose masking multiplies that of both directions; elsewhere GGX of the same alpha, whose tails "
         "are longer."
@@ -182,6 +184,9 @@ class Beckmann(Microfacet):
 
     def masked(self, xp: Array, cos_theta: Array, sin_theta: Array) -> Array:
         return beckmann_masked(xp, cos_theta, sin_theta, self.alpha)
+
+    def spread(self) -> Array | None:
+        return GAUSSIAN_SPREAD * self.alpha
 
     def lobe(self) -> Lobe:
         return VisibleBeckmannLobe(self.alpha)

@@ -56,3 +56,10 @@ class Reflecting(Parametrised, ABC):
         for component in self.components(xp, cos_theta_i):
             total = total + component.importance
         return total
+
+    def spread(self) -> Array | None:
+        """The width of its highlight, as the roughness alpha of the GGX that is most like it; None for what has no highlight.
+
+        Dust above blurs what has one, by light that it bends.  Of a sum, its terms are asked.
+        """
+        return None

@@ -21,8 +21,10 @@ from motes.arrays import Array, is_foreign
 from motes.directions import Geometry
 from motes.errors import ParameterError
 from motes.models.base import BRDF
+from motes.models.bending import Highlight
 from motes.models.components import Component
 from motes.models.exchange import Exchange
+from motes.models.ggx import VisibleGGXLobe
 from motes.models.lobes import CosineLobe, PhaseLobe, Reflection
 from motes.models.multiple_scattering import INFINITE, LEAST_G, MOST_G, Diffused
 from motes.models.naming import register
@@ -178,8 +180,8 @@ class DustLayer(BRDF):
         What lies below, what the layer is made of, and its optical thickness.
     scattering
         ``"single"``: the line above, as in the source.  ``"multiple"``: all orders of scattering in the layer, and between it and
-        the base, where light that was scattered counts as diffuse; w <= 1, and an infinite tau is the half space.  What goes
-        straight through keeps the lobe of the base; light that is only bent a little on its way is not yet a blur around that.
+        the base; w <= 1, and an infinite tau is the half space.  What goes straight through keeps the lobe of the base, what the dust
+        bends on its way blurs the base's highlights, and all other scattered light counts as diffuse.
     """
 
     words: ClassVar[str] = "a layer of dust"
@@ -227,19 +229,45 @@ class DustLayer(BRDF):
     def formula(self, xp: Array, geometry: Geometry) -> Array:
         depth = equations.slant_depth(xp, geometry.cos_theta_i, geometry.cos_theta_r, self.tau)
         once = equations.dust_layer(xp, self.base.formula(xp, geometry), self.dust.scattered_once(xp, geometry), depth)
-        return once if self.scattering == SINGLE else once + self._exchange(xp).formula(xp, geometry)
+        if self.scattering == SINGLE:
+            return once
+        exchange = self._exchange(xp)
+        total = once + exchange.formula(xp, geometry)
+        for highlight, term in self._highlights(exchange):
+            total = total + exchange.sharp(highlight, geometry) * term.formula(xp, geometry)
+            total = total + exchange.blurred(highlight, geometry)
+        return total
+
+    def _highlights(self, exchange: Exchange) -> list[tuple[Highlight, BRDF]]:
+        """The highlights of the base under several scatterings, each with the term that it is."""
+        if self.scattering == SINGLE:
+            return []
+        terms = (term for term in self.base.terms() if term.spread() is not None)
+        return list(zip(exchange.highlights, terms, strict=True))
 
     def _exchange(self, xp: Array) -> Exchange:
-        return Exchange(self.base, Diffused(xp, self.tau, self.dust.w, self.dust.g))
+        return Exchange(self.base.terms(), Diffused(xp, self.tau, self.dust.w, self.dust.g))
 
     def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
         # Chances as if light left at 45 degrees.
         through = xp.exp(-equations.slant_depth(xp, cos_theta_i, 0.7, self.tau))
-        parts = [(part, 0.0, through) for part in self.base.components(xp, cos_theta_i)]
-        parts += [(part, 1.0, 1 - through) for part in self.dust.components(xp, cos_theta_i)]
-        found = [Component(self._seen(part, own), part.lobe, part.importance * share) for part, own, share in parts]
+        exchange, found = self._exchange(xp), []
+        highlights = {id(term): highlight for highlight, term in self._highlights(exchange)}
+        for term in self.base.terms():
+            highlight = highlights.get(id(term))
+            for piece in term.components(xp, cos_theta_i):
+                formula, share = self._seen(piece, 0.0), through
+                if highlight is not None:
+                    formula = _with_bent(formula, piece, exchange, highlight)
+                    share = share + highlight.own[0] * (1 - share)
+                found.append(Component(formula, piece.lobe, piece.importance * share))
+        for piece in self.dust.components(xp, cos_theta_i):
+            found.append(Component(self._seen(piece, 1.0), piece.lobe, piece.importance * (1 - through)))
+        # What dust scatters is diffuse, as everywhere here, though it is sampled about the mirror direction.
+        for highlight, _ in self._highlights(exchange):
+            lobe, share = VisibleGGXLobe(highlight.roughness), exchange.bent(highlight, cos_theta_i)
+            found.append(Component(_blurred(exchange, highlight), lobe, share, Reflection.DIFFUSE))
         if self.scattering == MULTIPLE:
-            exchange = self._exchange(xp)
             found.append(Component(exchange.formula, CosineLobe(), exchange.importance(cos_theta_i)))
         return found
 
@@ -250,7 +278,10 @@ class DustLayer(BRDF):
         dust = self.dust.standard_lobes(xp, values.dust, cos_view)
         found = [lobe.scaled(through) for lobe in base] + [lobe.scaled(1 - through) for lobe in dust]
         if self.scattering == MULTIPLE:
-            found.append(StandardLobe(Reflection.DIFFUSE, values._exchange(xp).importance(MEAN_COSINE)))
+            exchange = values._exchange(xp)
+            shares = [exchange.bent(highlight, MEAN_COSINE) for highlight in exchange.highlights]
+            shares.append(exchange.importance(MEAN_COSINE))
+            found += [StandardLobe(Reflection.DIFFUSE, share) for share in shares]
         return found
 
     def in_words(self) -> str:
@@ -266,3 +297,14 @@ class DustLayer(BRDF):
             return equations.dust_layer(xp, (1 - own) * value, own * value, depth)
 
         return formula
+
+
+def _with_bent(
+    seen: Callable[[Array, Geometry], Array], part: Component, exchange: Exchange, highlight: Highlight
+) -> Callable[[Array, Geometry], Array]:
+    """The formula of a part of a highlight, with what bent light adds in the same shape."""
+    return lambda xp, geometry: seen(xp, geometry) + exchange.sharp(highlight, geometry) * part.formula(xp, geometry)
+
+
+def _blurred(exchange: Exchange, highlight: Highlight) -> Callable[[Array, Geometry], Array]:
+    return lambda _, geometry: exchange.blurred(highlight, geometry)

@@ -90,15 +90,29 @@ class EON(BRDF):
         rho, r = self.rho, self.r
         A_F = 1 / (1 + C_1 * r)
         single = rho * A_F * _swing(xp, geometry, r)
-        # 1 - E_F is r A_F times what is lost, and so is its mean, C_1 - C_2: two of the three factors r A_F cancel.
-        average = A_F * (1 + C_2 * r)
-        rho_ms = rho * rho * average / (1 - rho * ((C_1 - C_2) * r * A_F))
+        rho_ms = self._again(A_F)
         lost_i = _lost(xp, geometry.cos_theta_i, geometry.sin_theta_i)
         lost_r = _lost(xp, geometry.cos_theta_r, geometry.sin_theta_r)
+        # Of the three factors r A_F of the second term two cancel.
         return equations.INV_PI * (single + rho_ms * (r * A_F) * (lost_i * lost_r) * (1 / (C_1 - C_2)))
 
     def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
         return [Component(self.formula, CosineLobe(), self.rho)]
+
+    def reflected(self, xp: Array, cos_theta_i: Array) -> Array:
+        # Exact: the integrals that the second term was made of.
+        rho, r = self.rho, self.r
+        A_F = 1 / (1 + C_1 * r)
+        lost = r * A_F * _lost(xp, cos_theta_i, xp.sqrt(xp.maximum(1 - cos_theta_i * cos_theta_i, 0.0)))
+        return rho * (1 - lost) + self._again(A_F) * lost
+
+    def _again(self, A_F: Array) -> Array:
+        """rho_ms: the colour of light that is reflected several times.
+
+        1 - E_F is r A_F times what is lost, and so is its mean, C_1 - C_2.
+        """
+        rho, r = self.rho, self.r
+        return rho * rho * (A_F * (1 + C_2 * r)) / (1 - rho * ((C_1 - C_2) * r * A_F))
 
     def standard_lobes(self, xp: Array, values: Self, cos_view: Array) -> list[StandardLobe]:
         return [StandardLobe(Reflection.DIFFUSE, values.rho, roughness=values.r, preserving=True)]

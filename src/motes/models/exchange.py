@@ -5,59 +5,106 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
-import numpy as np
-
 from motes.arrays import Array
 from motes.directions import Geometry
 from motes.equations import INV_PI
+from motes.models.bending import Below, Bending, Highlight, mean_reflected
 from motes.models.components import Reflecting
 from motes.models.multiple_scattering import Diffused
 
 # A base that reflects more than it receives, under a layer that gives back nearly all, would multiply light without end.
 LEAST_LOSS = 1e-3
-# Of the mean albedo of the base over uniform light.
-NODES = 6
 
 
 @dataclass(frozen=True, eq=False)
 class Exchange:
     """What a layer adds to what goes straight through it and to what it scatters once.
 
-    Light that was scattered counts as uniform where it meets the base, and light from the base that does not leave straight as
-    uniform where it meets the layer.  Over a Lambertian base that is the exact sum over all reflections between the two; with
-    a directional albedo a(mu) of another base it is reciprocal and, as far as a is that of the base, loses no light.
+    To terms of the base without a highlight, light that was scattered is uniform where it meets them, and light from them that does not
+    leave straight is uniform where it meets the layer.  Over a Lambertian base that is the exact sum over all reflections between the
+    two; with a directional albedo a(mu) of another base it is reciprocal and, as far as a is that of the base, loses no light.  A
+    highlight sees a part of that light from about where it came from (`motes.models.bending`), and is blurred.
     """
 
-    base: Reflecting
+    terms: tuple[Reflecting, ...]
     layer: Diffused
 
     def formula(self, xp: Array, geometry: Geometry) -> Array:
-        """The BRDF [1/sr] of it all."""
-        layer, i, r = self.layer, geometry.cos_theta_i, geometry.cos_theta_r
-        straight_i, straight_r = 1 - layer.hit(i), 1 - layer.hit(r)
-        diffuse_i, diffuse_r = layer.arriving(i), layer.arriving(r)
-        lit_i, lit_r = straight_i * self.base.reflected(xp, i), straight_r * self.base.reflected(xp, r)
-        exchanged = (
-            lit_i * diffuse_r
-            + lit_r * diffuse_i
-            + layer.mean_returned * lit_i * lit_r
-            + self.mean_reflected * diffuse_i * diffuse_r
-        )
-        return layer.higher_orders(geometry) + exchanged * (INV_PI * self._multiplied)
+        """The BRDF [1/sr] of all that has lost its direction, by scattering or by the diffuse terms."""
+        layer, mu_i, mu_r = self.layer, geometry.cos_theta_i, geometry.cos_theta_r
+        straight_i, straight_r = 1 - layer.hit(mu_i), 1 - layer.hit(mu_r)
+        diffuse_i, diffuse_r = layer.arriving(mu_i), layer.arriving(mu_r)
+        lit_i, lit_r = straight_i * self._reflected(mu_i), straight_r * self._reflected(mu_r)
+        once = lit_i * diffuse_r + lit_r * diffuse_i + self._mean * diffuse_i * diffuse_r
+        up_i, up_r = lit_i + self._mean * diffuse_i, lit_r + self._mean * diffuse_r
+        if self.highlights:
+            i, r = self._bending.below(mu_i), self._bending.below(mu_r)
+            for highlight in self.highlights:
+                once = once + highlight.diffuse(geometry, i, r)
+                up_i, up_r = up_i + highlight.lit(mu_i, i), up_r + highlight.lit(mu_r, r)
+        exchanged = once + layer.mean_returned * self._multiplied * (up_i * up_r)
+        return layer.higher_orders(geometry) + exchanged * INV_PI
+
+    def blurred(self, highlight: Highlight, geometry: Geometry) -> Array:
+        """The BRDF [1/sr] of bent light about a highlight, but for what has the highlight's own shape."""
+        return highlight.blurred(geometry, *self._pair(geometry))
+
+    def sharp(self, highlight: Highlight, geometry: Geometry) -> Array:
+        """The weight of the own shape of a highlight in bent light."""
+        return highlight.sharp(geometry, *self._pair(geometry))
+
+    def _pair(self, geometry: Geometry) -> tuple[Below, Below]:
+        return self._bending.below(geometry.cos_theta_i), self._bending.below(geometry.cos_theta_r)
 
     def importance(self, cos_theta_i: Array) -> Array:
-        """About the share of light that it is."""
+        """About the share of light that `formula` is."""
         layer = self.layer
         below = (1 - layer.hit(cos_theta_i)) * layer.mean_returned + layer.arriving(cos_theta_i)
-        return layer.escaping(cos_theta_i) + below * self.mean_reflected * self._multiplied * layer.mean_arriving
+        share = below * self.mean_reflected * self._multiplied * layer.mean_arriving
+        for highlight in self.highlights:
+            share = layer.xp.maximum(share - self.bent(highlight, cos_theta_i), 0.0)
+        return layer.escaping(cos_theta_i) + share
+
+    def bent(self, highlight: Highlight, cos_theta_i: Array) -> Array:
+        """About the share of light that is bent about a highlight."""
+        below = self._bending.below(cos_theta_i)
+        near = below.near * below.near - below.straight * below.straight
+        return near * highlight.term.reflected(self.layer.xp, cos_theta_i)
+
+    @cached_property
+    def highlights(self) -> tuple[Highlight, ...]:
+        """The terms of the base that are highlights."""
+        found = ((term, term.spread()) for term in self.terms)
+        return tuple(Highlight(term, spread, self._bending) for term, spread in found if spread is not None)
 
     @cached_property
     def mean_reflected(self) -> Array:
         """The share of uniform light that the base reflects."""
-        nodes, weights = np.polynomial.legendre.leggauss(NODES)
+        total = self._mean
+        for highlight in self.highlights:
+            total = total + highlight.mean_reflected
+        return total
+
+    @cached_property
+    def _bending(self) -> Bending:
+        return Bending(self.layer)
+
+    @cached_property
+    def _diffuse(self) -> tuple[Reflecting, ...]:
+        return tuple(term for term in self.terms if term.spread() is None)
+
+    def _reflected(self, cos_theta: Array) -> Array:
         total: Array = 0.0
-        for node, weight in zip((0.5 * (nodes + 1)).tolist(), (0.5 * weights).tolist(), strict=True):
-            total = total + self.base.reflected(self.layer.xp, node) * (2 * weight * node)
+        for term in self._diffuse:
+            total = total + term.reflected(self.layer.xp, cos_theta)
+        return total
+
+    @cached_property
+    def _mean(self) -> Array:
+        """The share of uniform light that the diffuse terms reflect."""
+        total: Array = 0.0
+        for term in self._diffuse:
+            total = total + mean_reflected(term, self.layer.xp)
         return total
 
     @cached_property

@@ -13,6 +13,7 @@ from typing import ClassVar, final
 from motes import equations
 from motes.arrays import Array
 from motes.directions import Geometry, Vector
+from motes.models.facet_albedo import GGX_ALBEDO, FacetAlbedo
 from motes.models.fresnel import Fresnel
 from motes.models.lobes import TWO_PI, Lobe, Reflection, mirrored
 from motes.models.microfacet import Microfacet, fresnel_term
@@ -97,6 +98,7 @@ class GGX(Microfacet):
 
     words: ClassVar[str] = "GGX"
     kind: ClassVar[str] = "ggx"
+    facet_albedo: ClassVar[FacetAlbedo] = GGX_ALBEDO
     approximation: ClassVar[str] = (
         "GGX: the same facets; where a program multiplies the masking of both directions (Mitsuba) it is darker "
         "towards grazing, and where it gives back light reflected several times (MaterialX) rough ones are brighter."

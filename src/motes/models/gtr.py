@@ -16,6 +16,7 @@ from typing import ClassVar, Self, final
 from motes import equations
 from motes.arrays import Array
 from motes.directions import Geometry, Vector
+from motes.models.facet_albedo import GGX_ALBEDO
 from motes.models.fresnel import Fresnel
 from motes.models.ggx import ggx_masked
 from motes.models.lobes import TWO_PI, Lobe, Reflection, mirrored
@@ -147,6 +148,11 @@ class GTR(Microfacet):
 
     def masked(self, xp: Array, cos_theta: Array, sin_theta: Array) -> Array:
         return ggx_masked(xp, cos_theta, sin_theta, gtr_grazing_roughness(xp, self.alpha, self.gamma))
+
+    def reflected(self, xp: Array, cos_theta_i: Array) -> Array:
+        # As much light is lost as of the GGX that has the same masking, within 0.045.
+        rough = gtr_grazing_roughness(xp, self.alpha, self.gamma)
+        return self.K_s * GGX_ALBEDO(xp, cos_theta_i, rough, self.fresnel_reflectance)
 
     def lobe(self) -> Lobe:
         return GTRLobe(self.alpha, self.gamma)

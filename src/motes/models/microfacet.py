@@ -16,6 +16,7 @@ from motes.arrays import Array
 from motes.directions import Geometry
 from motes.models.base import BRDF
 from motes.models.components import Component
+from motes.models.facet_albedo import FacetAlbedo
 from motes.models.fresnel import Fresnel
 from motes.models.lobes import Lobe, Reflection
 from motes.models.standard import StandardLobe
@@ -60,6 +61,8 @@ class Microfacet(BRDF):
 
     #: What programs call exactly this distribution, ``ggx`` or ``beckmann``; empty where they have none such.
     kind: ClassVar[str] = ""
+    #: The share of light that its facets reflect.
+    facet_albedo: ClassVar[FacetAlbedo]
 
     @abstractmethod
     def distribution(self, xp: Array, geometry: Geometry) -> Array:
@@ -88,6 +91,12 @@ class Microfacet(BRDF):
 
     def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
         return [Component(self.formula, self.lobe(), self.K_s * self.fresnel_reflectance(xp, cos_theta_i))]
+
+    def reflected(self, xp: Array, cos_theta_i: Array) -> Array:
+        return self.K_s * self.facet_albedo(xp, cos_theta_i, self.alpha, self.fresnel_reflectance)
+
+    def spread(self) -> Array | None:
+        return self.alpha
 
     def standard_lobes(self, xp: Array, values: Self, cos_view: Array) -> list[StandardLobe]:
         return self._mirrors(values)

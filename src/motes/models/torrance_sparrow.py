@@ -16,6 +16,7 @@ from motes.arrays import NUMPY, Array
 from motes.directions import HALF_PI, Geometry
 from motes.models.base import BRDF
 from motes.models.components import Component
+from motes.models.facet_albedo import GAUSSIAN_SPREAD, TORRANCE_SPARROW_ALBEDO
 from motes.models.fresnel import Fresnel
 from motes.models.lobes import FacetLobe, Reflection
 from motes.models.naming import register
@@ -84,14 +85,24 @@ class TorranceSparrow(BRDF):
     def formula(self, xp: Array, geometry: Geometry) -> Array:
         cos_i, cos_r, cos_d = geometry.cos_theta_i, geometry.cos_theta_r, geometry.cos_theta_d
         G = equations.G(xp, cos_i, cos_r, geometry.cos_theta_h, cos_d, cos_d)
-        F = 1.0 if self.fresnel is None else self.fresnel.reflectance(xp, cos_d)
+        F = self._fresnel(xp, cos_d)
         return self.K_s * equations.rho_s(xp, self._distribution(xp, geometry.theta_h), G, F, cos_i, cos_r)
 
     def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
         # With narrow facets the reflected share is K_s F(theta_i) times their projected area, 1 once normalised.
-        F = 1.0 if self.fresnel is None else self.fresnel.reflectance(xp, cos_theta_i)
+        F = self._fresnel(xp, cos_theta_i)
         area = 1.0 if self.normalization == "facets" else xp.minimum(3.14 * self.sigma_s * self.sigma_s, 1.0)
         return [Component(self.formula, FacetLobe(self.sigma_s), self.K_s * F * area)]
+
+    def reflected(self, xp: Array, cos_theta_i: Array) -> Array:
+        area = 1.0 if self.normalization == "facets" else equations.facet_area(xp, self.sigma_s)
+        return self.K_s * area * TORRANCE_SPARROW_ALBEDO(xp, cos_theta_i, self.sigma_s, self._fresnel)
+
+    def spread(self) -> Array | None:
+        return GAUSSIAN_SPREAD * self.sigma_s
+
+    def _fresnel(self, xp: Array, cosine: Array) -> Array:
+        return 1.0 if self.fresnel is None else self.fresnel.reflectance(xp, cosine)
 
     def standard_lobes(self, xp: Array, values: Self, cos_view: Array) -> list[StandardLobe]:
         # GGX has D(0) = 1/(pi alpha^2): with that area the height at the mirror direction and the energy stay.  F follows Schlick's

@@ -1,0 +1,245 @@
+r"""What a layer of dust makes of a highlight below it: light that is bent on its way blurs the highlight.
+
+Over a mirror, dust scatters light about the mirrored direction as a layer of twice the thickness does about the direction of light
+itself.  Light scattered once on its way in or out has the exact weight of that, with :math:`s = e^{-\tau/\mu}`,
+
+.. math::  w \, S \, (s_i a_i + s_r a_r), \qquad S = \frac{s_i - s_r}{\mu_i - \mu_r},
+
+where a is the highlight's directional albedo.  Its lobe, the phase function turned by the facets, is near to
+
+.. math::  k = \frac{1}{\pi} \Big(\frac14 + \frac{1}{P N}\Big) \frac{1}{(1 + Q)^2}, \quad P = L + D, \quad N = L \cos\theta_d + D,
+
+with Q the squares of the angles in the plane of incidence and across it, over P and N squared: the widths of the highlight L and of the
+phase function D add up, as those of curves with long tails do.  Where the highlight is wider than the phase function a share keeps the
+highlight's own shape.  Light that was scattered more often takes the same form, wider, with what is left of the light that arrives.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from motes.arrays import Array
+from motes.directions import Geometry
+from motes.equations import INV_PI
+from motes.models.components import Reflecting
+from motes.models.multiple_scattering import Diffused
+
+#: Found by comparison with photons, all at once, by ``tools/blur_fit.py``, which also says what each is.
+FITTED = {
+    "width": 0.937, "bend": 1.33, "narrower": 0.558, "own": 37.99, "far": 0.127, "far_2": -0.006,
+    "bent": 0.191, "level": -0.103, "level_g": 0.1, "deep": 0.313, "height": 0.845, "height_g": 0.075, "steep": -0.428,
+    "horizon": 0.824, "once": 1.231, "once_g": 2.284, "once_g2": -2.848, "twice": 5.623, "twice_g": -4.046, "lost": 3.405,
+}  # fmt: skip
+# Thicker layers show nothing of what lies below; in numbers of few bits an infinite one would be too large for its square.
+DEEPEST = 100.0
+# Below, the phase function counts as even.
+LEAST_FORWARD = 1e-3
+LEAST = 1e-9
+
+
+def uniform(count: int) -> list[tuple[float, float]]:
+    """Cosines and weights of a mean over uniform light."""
+    nodes, weights = np.polynomial.legendre.leggauss(count)
+    nodes = 0.5 * (nodes + 1)
+    return list(zip(nodes.tolist(), (weights * nodes).tolist(), strict=True))
+
+
+@dataclass(frozen=True, eq=False)
+class Below:
+    """Of light from a direction, what meets the base straight, diffusely in all, and of that scattered once and bent more often."""
+
+    straight: Array
+    arriving: Array
+    once: Array
+    again: Array
+
+    @property
+    def near(self) -> Array:
+        """What comes from about the direction of light."""
+        return self.straight + self.once + self.again
+
+
+@dataclass(frozen=True, eq=False)
+class Bending:
+    """The parts of the light in a layer that know where they came from."""
+
+    layer: Diffused
+
+    def below(self, cos_theta: Array) -> Below:
+        """The shares of light from a direction."""
+        xp, f, g, layer = self.layer.xp, FITTED, self.forward, self.layer
+        straight, arriving = 1 - layer.hit(cos_theta), layer.arriving(cos_theta)
+        met = layer.w * self.depth / (cos_theta + f["horizon"])
+        several = met * (f["once"] + g * (f["once_g"] + g * f["once_g2"]) + met * (f["twice"] + f["twice_g"] * g))
+        once = arriving / (1 + several)
+        level = 1 + (f["level"] + f["level_g"] * (g - 0.7)) * (cos_theta - 0.7)
+        deep = 1 + f["deep"] * layer.w * self.depth / (cos_theta + 0.3)
+        again = (arriving - once) * xp.minimum((1 - f["bent"] * g * g) * level / deep, 1.0)
+        return Below(straight, arriving, once, again)
+
+    def scattered_once(self, geometry: Geometry, i: Below, r: Below) -> Array:
+        """w S: (1 - exp(-x))/x for the difference x of the depths is within 7 % a ratio that holds at both ends."""
+        xp, depth = self.layer.xp, self.depth
+        inverse_i, inverse_r = 1 / geometry.cos_theta_i, 1 / geometry.cos_theta_r
+        x = depth * (inverse_i - inverse_r)
+        x = xp.maximum(x, -x)
+        mean = (1 + x * (1 / 6)) / (1 + x * (2 / 3 + x * (1 / 6)))
+        return self.layer.w * (depth * (inverse_i * inverse_r)) * xp.maximum(i.straight, r.straight) * mean
+
+    @cached_property
+    def depth(self) -> Array:
+        return self.layer.xp.minimum(self.layer.tau, DEEPEST)
+
+    @cached_property
+    def forward(self) -> Array:
+        """g, as far as it is forward."""
+        return self.layer.xp.maximum(self.layer.g, LEAST_FORWARD)
+
+    @cached_property
+    def backward(self) -> Array:
+        """Phase functions that scatter backward: how much less goes on, 1 for all others."""
+        g = self.layer.xp.minimum(self.layer.g, 0.0)
+        return (1 + g) / ((1 - g) * (1 - g))
+
+    @cached_property
+    def widths(self) -> tuple[Array, Array]:
+        """Of light scattered once and more often: (1 - g)/sqrt(g) is where a Henyey-Greenstein function has fallen to a third."""
+        xp, g = self.layer.xp, self.forward
+        root = xp.sqrt(g)
+        several = xp.maximum(g * root, 0.01)
+        return (1 - g) / root, (1 - several) / xp.sqrt(several)
+
+    @cached_property
+    def kept(self) -> tuple[Array, Array]:
+        """The share of the bent light that the form has: the rest is in the phase function's long tail, and counts as diffuse."""
+        f, g, xp = FITTED, self.forward, self.layer.xp
+        narrow, narrow_2 = 1 - g, 1 - g * xp.sqrt(g)
+        once = self.backward / (1 + narrow * (f["far"] + f["far_2"] * narrow))
+        again = self.backward * (f["height"] + f["height_g"] * g) / (1 + narrow_2 * (f["far"] + f["far_2"] * narrow_2))
+        return once, again
+
+
+@dataclass(frozen=True, eq=False)
+class Highlight:
+    """A term of the base that is a highlight, as the layer shows it.
+
+    Parameters
+    ----------
+    term, spread
+        The term, and the width of its lobe as the roughness alpha of GGX.
+    """
+
+    term: Reflecting
+    spread: Array
+    bending: Bending
+
+    def blurred(self, geometry: Geometry, i: Below, r: Below) -> Array:
+        """The BRDF [1/sr] of bent light that has lost the shape of the highlight."""
+        xp, f, bending = self.bending.layer.xp, FITTED, self.bending
+        mu_i, mu_r = geometry.cos_theta_i, geometry.cos_theta_r
+        a_i, a_r = self.term.reflected(xp, mu_i), self.term.reflected(xp, mu_r)
+        (own, own_2), (kept, kept_2), (bend, bend_2) = self.own, bending.kept, self._bends
+        once = bending.scattered_once(geometry, i, r) * (i.straight * a_i + r.straight * a_r)
+        level = (1 + f["steep"] * (mu_i * mu_r - 0.5)) * (0.25 * (mu_i + mu_r) / (mu_i * mu_r))
+        again = self._again(i, r) * (level * (a_i + a_r))
+        near, far = self._lobe(geometry, bend), self._lobe(geometry, bend_2)
+        return (1 - own) * kept * once * near + (1 - own_2) * kept_2 * again * far
+
+    def sharp(self, geometry: Geometry, i: Below, r: Below) -> Array:
+        """The weight of the highlight's own shape in bent light."""
+        own, own_2 = self.own
+        once = self.bending.scattered_once(geometry, i, r) * (i.straight + r.straight)
+        return own * once * (0.5 * (geometry.cos_theta_i + geometry.cos_theta_r)) + own_2 * self._again(i, r)
+
+    def diffuse(self, geometry: Geometry, i: Below, r: Below) -> Array:
+        """pi times the BRDF of light that this highlight reflects once and dust makes diffuse on its way in, or out, or both."""
+        xp, bending = self.bending.layer.xp, self.bending
+        lit_i, lit_r = (b.near * self.term.reflected(xp, mu) for b, mu in _both(geometry, i, r))
+        rest_i, rest_r = self.rest(i), self.rest(r)
+        # Of a wide lobe more is met on its way out than of its middle.
+        wide = 0.5 * FITTED["lost"] * (self.spread * self.spread) * bending.layer.w * bending.depth
+        more = [b.straight * (b.straight * self.term.reflected(xp, mu)) / mu for b, mu in _both(geometry, i, r)]
+        spread_out = (lit_i + lit_r) * self._inverse_rest + self.mean_reflected
+        return spread_out * (rest_i * rest_r) + wide * (more[0] + more[1])
+
+    def lit(self, cos_theta: Array, below: Below) -> Array:
+        """What this highlight sends up of light from a direction, after one reflection."""
+        return below.near * self.term.reflected(self.bending.layer.xp, cos_theta) + self.mean_reflected * self.rest(
+            below
+        )
+
+    def rest(self, below: Below) -> Array:
+        """What arrives diffusely and counts as uniform."""
+        (own, own_2), (kept, kept_2) = self.own, self.bending.kept
+        near = below.once * (own + (1 - own) * kept) + below.again * (own_2 + (1 - own_2) * kept_2)
+        return self.bending.layer.xp.maximum(below.arriving - near, 0.0)
+
+    @cached_property
+    def own(self) -> tuple[Array, Array]:
+        """The share of bent light that has the highlight's own shape, where that is wider than the phase function."""
+        return self._own(self.bending.widths[0]), self._own(self.bending.widths[1])
+
+    def _own(self, width: Array) -> Array:
+        squared = self.spread * self.spread
+        return squared / (squared + FITTED["own"] * (width * width))
+
+    @cached_property
+    def roughness(self) -> Array:
+        """The alpha of a GGX that samples what is blurred."""
+        xp = self.bending.layer.xp
+        width = self._width + 0.5 * (self._bends[0] + self._bends[1])
+        return width / xp.sqrt(width * width + 4)
+
+    @cached_property
+    def mean_reflected(self) -> Array:
+        return mean_reflected(self.term, self.bending.layer.xp)
+
+    @cached_property
+    def _inverse_rest(self) -> Array:
+        """1 over the mean of `rest` over uniform light."""
+        total: Array = 0.0
+        for node, weight in uniform(3):
+            total = total + self.rest(self.bending.below(node)) * weight
+        return 1 / self.bending.layer.xp.maximum(total, LEAST)
+
+    def _again(self, i: Below, r: Below) -> Array:
+        """The weight of what was bent more than once: again on one way, or on both."""
+        bent_i, bent_r = i.once + i.again, r.once + r.again
+        return i.straight * r.again + i.again * r.straight + bent_i * bent_r
+
+    @property
+    def _width(self) -> Array:
+        return (2 * FITTED["width"]) * self.spread
+
+    @cached_property
+    def _bends(self) -> tuple[Array, Array]:
+        """The width that bending adds."""
+        scale = FITTED["bend"] / (1 + FITTED["narrower"] * self.spread)
+        return scale * self.bending.widths[0], scale * self.bending.widths[1]
+
+    def _lobe(self, geometry: Geometry, bend: Array) -> Array:
+        """k; both angles are computed from squares of sums, so that nothing cancels about the mirrored direction."""
+        width, cosine = self._width, geometry.cos_theta_d
+        along, across = width + bend, width * cosine + bend
+        inverse = 1 / (along * across)
+        tilt = geometry.sin_theta_h * geometry.sin_theta_h
+        turned = width * (along + across) * (cosine * cosine) * (inverse * inverse) / (1 + cosine)
+        even = (across * inverse) * (across * inverse) - turned
+        rise = geometry.cos_theta_i - geometry.cos_theta_r
+        fall = 1 + even * (4 * tilt * (cosine * cosine) + rise * rise) + turned * (4 * tilt)
+        return INV_PI * (0.25 + inverse) / (fall * fall)
+
+
+def _both(geometry: Geometry, i: Below, r: Below) -> tuple[tuple[Below, Array], tuple[Below, Array]]:
+    return (i, geometry.cos_theta_i), (r, geometry.cos_theta_r)
+
+
+def mean_reflected(term: Reflecting, xp: Array) -> Array:
+    """The share of uniform light that a term reflects."""
+    total: Array = 0.0
+    for node, weight in uniform(6):
+        total = total + term.reflected(xp, node) * weight
+    return total
