@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import os
 import re
 import typing
 from collections.abc import Callable
@@ -20,6 +21,7 @@ from motes.cli import paths
 from motes.cli.demo_command import true_trends
 from motes.cli.main import make_app
 from motes.errors import MotesError
+from motes.files import check_writable, leftovers, settle, together, write_text, writing
 from motes.trends import Trend
 
 DOCS = Path(__file__).resolve().parents[1] / "docs" / "cli.md"
@@ -749,14 +751,14 @@ def test_every_option_has_a_help_text() -> None:
 
 def test_results_appear_together_or_not_at_all(tmp_path: Path) -> None:
     folder = tmp_path / "a" / "b"
-    with paths.results(folder) as staging:
+    with together(folder) as staging:
         (staging / "one").write_text("1")
         (staging / "two").write_text("2")
         assert [p.name for p in folder.iterdir()] == [staging.name]
     assert sorted(p.name for p in folder.iterdir()) == ["one", "two"]
 
     def fail(target: Path) -> None:
-        with paths.results(target) as staging:
+        with together(target) as staging:
             (staging / "one").write_text("other")
             raise ZeroDivisionError
 
@@ -769,9 +771,79 @@ def test_results_appear_together_or_not_at_all(tmp_path: Path) -> None:
     assert not (tmp_path / "c").exists()
 
 
+def test_a_folder_in_the_way_of_a_file_moves_nothing(motes: Run, rock: Path) -> None:
+    options = ("fit", rock, "-m", "lambert", "--time", 0, "-o", "out")
+    assert motes(*options)[0] == 0
+    before = Path("out/fit.json").read_bytes()
+    Path("out/report.html").unlink()
+    Path("out/report.html").mkdir()
+    status, _, err = motes(*options, "--loss", "log")
+    assert status == 2
+    assert "report.html is a folder" in message(err)[0]
+    assert Path("out/fit.json").read_bytes() == before
+    assert sorted(p.name for p in Path("out").iterdir()) == [
+        "fit.json",
+        "material.json",
+        "parameters.csv",
+        "report.html",
+    ]
+
+
+def test_another_fit_in_the_same_folder_is_said(motes: Run, rock: Path) -> None:
+    common = ("fit", rock, "--time", 0, "--no-report", "-o", "out")
+    assert motes(*common, "-m", "lambert")[2] == ""
+    assert motes(*common, "-m", "lambert")[2] == ""  # the same again
+    assert "held the fit of the same data by lambert" in motes(*common, "-m", "oren_nayar")[2]
+    assert "with the loss linear" in motes(*common, "-m", "oren_nayar", "--loss", "log")[2]
+    assert "held the fit of other times" in motes("fit", rock, "-m", "oren_nayar", "--no-report", "-o", "out")[2]
+
+
+def test_what_was_decided_is_finished_by_whoever_comes_next(motes: Run, rock: Path, tmp_path: Path) -> None:
+    """A process that was killed between the moves of its files: readers and writers see all of the new ones."""
+    decided = tmp_path / "out" / ".motes-0123456789abcdef.decided"
+    decided.mkdir(parents=True)
+    for name in ("one", "two"):
+        (tmp_path / "out" / name).write_text("old")
+    (tmp_path / "out" / "one").write_text("new")  # was moved already
+    (decided / "two").write_text("new")
+    with leftovers.held(decided):  # its process is still at work
+        settle(tmp_path / "out")
+        assert (decided / "two").exists()
+    settle(tmp_path / "out")
+    assert {p.name: p.read_text() for p in (tmp_path / "out").iterdir()} == {"one": "new", "two": "new"}
+
+
+def test_files_of_killed_writers_are_removed_and_those_at_work_are_not(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    left, worked_on = (tmp_path / f".report.html.0123456{k}.partial" for k in (7, 8))
+    theirs, young = tmp_path / ".theirs.partial", tmp_path / ".report.html.01234569.partial"
+    for file in (left, worked_on, theirs, young):
+        file.write_text("half")
+    for file in (left, worked_on, theirs):
+        os.utime(file, (1, 1))
+    with leftovers.held(worked_on):
+        write_text(tmp_path / "report.html", "whole")
+    assert sorted(p.name for p in tmp_path.iterdir()) == sorted(
+        [worked_on.name, theirs.name, young.name, "report.html"]
+    )
+    monkeypatch.setattr(writing, "_cleaned", set())
+    write_text(tmp_path / "report.html", "whole")
+    assert sorted(p.name for p in tmp_path.iterdir()) == sorted([theirs.name, young.name, "report.html"])
+
+
+def test_trying_a_place_leaves_it_as_it_is(tmp_path: Path) -> None:
+    (tmp_path / "a").write_text("kept")
+    check_writable(tmp_path / "a")
+    check_writable(tmp_path / "b")
+    assert {p.name: p.read_text() for p in tmp_path.iterdir()} == {"a": "kept"}
+    with pytest.raises(MotesError, match="cannot be written"):
+        check_writable(tmp_path / "a" / "b")
+
+
 def test_a_folder_that_cannot_be_made_is_an_error_before_the_work(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
-    with pytest.raises(MotesError, match="cannot be written"), paths.results(tmp_path / "file" / "out"):
+    with pytest.raises(MotesError, match="cannot be written"), together(tmp_path / "file" / "out"):
         pytest.fail("the work began")
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, Any
@@ -89,8 +88,9 @@ def _at(times: Any, index: int) -> dict[str, Any]:
 
 def _simulate(plaster: Path, common: Common) -> None:
     """Write the scans, in place of those of an earlier demonstration."""
-    from motes.cli import console, paths
+    from motes.cli import console
     from motes.errors import MotesError
+    from motes.files import together
     from motes.measurements.tvbrdf import DATA, INFO
 
     if plaster.is_dir():
@@ -99,8 +99,5 @@ def _simulate(plaster: Path, common: Common) -> None:
             raise MotesError(
                 f"{plaster} holds {others[0]}, which motes demo did not write", "Choose another folder with -o"
             )
-    with paths.results(plaster.parent) as staging:
-        with console.progress(common, "simulating") as step:
-            simulated_plaster(staging / plaster.name, step)
-        if plaster.is_dir():
-            shutil.rmtree(plaster)
+    with together(plaster.parent) as staging, console.progress(common, "simulating") as step:
+        simulated_plaster(staging / plaster.name, step)

@@ -48,16 +48,17 @@ def fit_and_write(
 
     `truth` holds what is true of simulated data, `kinds` the kinds of trend that are settled.
     """
-    from motes.cli import console, paths
+    from motes.cli import console
     from motes.errors import MissingExtraError
+    from motes.files import together
     from motes.fitting import fit
     from motes.fitting.time_result import TimeFit
 
     index, why = _which(measurement, time, kinds or {})
     if index is None:
         options = {**options, "trends": kinds or "auto"}
-    earlier = _other_data(folder, measurement)
-    with paths.results(folder) as staging:
+    before = _held_before(folder)
+    with together(folder) as staging:
         with console.progress(common, "fitting") as step:
             result = fit(measurement, time=index, progress=step, **options)
         result.save(staging)
@@ -70,7 +71,7 @@ def fit_and_write(
         names = sorted(file.name for file in staging.iterdir())
     for note in _about_times(measurement) if index is None else ():
         console.warn(note)
-    if earlier:
+    if before is not None and (earlier := _other_fit(before, result)):
         console.warn(f"{folder}/ held the fit of {earlier}, which this one has replaced; -o OTHER keeps both")
     if common.json:
         about: dict[str, Any] = {
@@ -120,18 +121,32 @@ def _which(measurement: Measurement, time: int | None, kinds: dict[str, str]) ->
     return None, ""
 
 
-def _other_data(folder: Path, measurement: Measurement) -> str:
-    """The data whose fit a folder holds, where they are others than these; empty otherwise."""
+def _held_before(folder: Path) -> dict[str, Any] | None:
+    """What the fit.json of a folder says; None where there is none to be read."""
     import json
 
     try:
-        about = json.loads((folder / "fit.json").read_text(encoding="utf-8"))["measurement"]
-        path, sample = str(about["path"]), about.get("sample")
-    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
-        return ""
-    own = measurement.provenance
-    same = Path(path).resolve() == Path(str(own.get("path"))).resolve() and sample == own.get("sample")
-    return "" if same else path if sample is None else f"{path}, sample {sample}"
+        found = json.loads((folder / "fit.json").read_text(encoding="utf-8"))
+    except (OSError, ValueError, RecursionError):
+        return None
+    return found if isinstance(found, dict) and isinstance(found.get("measurement"), dict) else None
+
+
+def _other_fit(before: dict[str, Any], result: Fit | TimeFit) -> str:
+    """What an earlier fit was of, where it was another than this one: of other data or times, by another model or loss; else empty."""
+    after = result.to_dict()
+    then, now = before["measurement"], after["measurement"]
+    if Path(str(then.get("path"))).resolve() != Path(str(now.get("path"))).resolve() or then.get("sample") != now.get(
+        "sample"
+    ):
+        sample = then.get("sample")
+        return str(then.get("path")) if sample is None else f"{then.get('path')}, sample {sample}"
+    if then.get("times") != now.get("times"):
+        return "other times"
+    for name, words in (("model", "by {}"), ("loss", "with the loss {}"), ("robust", "with the robust function {}")):
+        if before.get(name) != after[name]:
+            return f"the same data {words.format(before.get(name))}"
+    return ""
 
 
 def _about_times(measurement: Measurement) -> list[str]:

@@ -13,7 +13,7 @@ import numpy as np
 
 from motes.errors import ParameterError
 from motes.exports.subject import Subject, identifier, subject
-from motes.files import write_text
+from motes.files import together, write_text
 from motes.measurements.measurement import Measurement
 
 #: Moments of a table of a material that follows time, where none are asked for.
@@ -149,16 +149,16 @@ def export(
         raise ParameterError(f"{file} is a folder", f"Name a file, such as {file / (first.identifier + target.suffix)}")
     module = importlib.import_module(f"motes.exports.{target.module}")
     said = list(first.notes if len(moments) == 1 else first.origin)
-    if to in SHADERS:
-        said += shader_limits(to, first)
-        files = [_write_shader(module, to, first, file, options)]
-    elif target.over_time:
-        said += module.limits(first)
-        files = module.write(moments, file)
-    else:
-        said += module.limits(first)
-        files = module.write(first, file, **options)
-    return Exported(tuple(files), tuple(said))
+    said += shader_limits(to, first) if to in SHADERS else module.limits(first)
+    with together(file.parent) as staging:
+        new = staging / file.name
+        if to in SHADERS:
+            made = [_write_shader(module, to, first, new, options)]
+        elif target.over_time:
+            made = module.write(moments, new)
+        else:
+            made = module.write(first, new, **options)
+    return Exported(tuple(file.parent / part.name for part in made), tuple(said))
 
 
 def _export_measurement(

@@ -1,6 +1,7 @@
 """Files: read without trust, written whole or not at all."""
 
 from motes.files.inert import write_csv
-from motes.files.writing import replacing, write_text
+from motes.files.together import settle, together
+from motes.files.writing import check_writable, replacing, write_text
 
-__all__ = ["replacing", "write_csv", "write_text"]
+__all__ = ["check_writable", "replacing", "settle", "together", "write_csv", "write_text"]

@@ -3,17 +3,24 @@
 from __future__ import annotations
 
 import os
+import re
 import secrets
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from motes.errors import MotesError
+from motes.files import leftovers
+
+_STAGING = re.compile(r"\.motes-[0-9a-f]{16}\.partial")
+_OURS = re.compile(r"\..+\.[0-9a-f]{8}\.partial", re.DOTALL)
 
 
 @contextmanager
 def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
     """A temporary path beside `path`, renamed onto it when the block ends well, removed when it does not.
+
+    What a killed process leaves, the next one that writes to the folder removes.
 
     Raises
     ------
@@ -24,21 +31,50 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
     temporary: Path | None = None
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
+        _remove_left(target.parent)
         name = target.with_name(f".{target.name}.{secrets.token_hex(4)}.partial")
         # Results have the mode that the umask gives them, as the system applies it: to read it is to set it, for all threads.
         os.close(os.open(name, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))
         temporary = name
-        yield temporary
-        os.replace(temporary, target)
+        with leftovers.held(temporary):
+            yield temporary
+            os.replace(temporary, target)
         temporary = None
     except OSError as error:
         reason = error.strerror or str(error)
         raise MotesError(
-            f"{target} cannot be written: {reason}", "Choose a folder that exists, is writable and has room, with -o"
+            f"{_shown(target)} cannot be written: {reason}",
+            "Choose a folder that exists, is writable and has room, with -o",
         ) from error
     finally:
         if temporary is not None:
             temporary.unlink(missing_ok=True)
+
+
+def _shown(target: Path) -> Path:
+    """The path that was asked for: of a file that is to appear `together` with others."""
+    return target.parent.parent / target.name if _STAGING.fullmatch(target.parent.name) else target
+
+
+def check_writable(path: str | os.PathLike[str]) -> None:
+    """Raise what `replacing` would where a file cannot be written, before the work; what is there stays as it is."""
+    with suppress(_Tried), replacing(path):
+        raise _Tried
+
+
+class _Tried(Exception):
+    """Ends a block whose file is not to be replaced."""
+
+
+_cleaned: set[str] = set()
+
+
+def _remove_left(folder: Path) -> None:
+    """Remove what killed processes left in a folder; a process looks at each folder once, for folders of frames are long."""
+    name = os.path.abspath(folder)
+    if name not in _cleaned:
+        _cleaned.add(name)
+        leftovers.remove(file for file in folder.glob(".*.partial") if _OURS.fullmatch(file.name) and file.is_file())
 
 
 def write_text(path: str | os.PathLike[str], text: str) -> Path:

@@ -16,8 +16,7 @@ from numpy.typing import NDArray
 
 from motes import outlets
 from motes.arrays import Array
-from motes.errors import MotesError
-from motes.files import write_csv, write_text
+from motes.files import together, write_csv, write_text
 from motes.fitting.error_bars import ErrorBars
 from motes.fitting.formatting import correlations_as_json, finite, with_error
 from motes.fitting.verdicts import Status, Verdict
@@ -180,18 +179,12 @@ class Result(ABC):
         return str(self.measurement.provenance.get("source") or "")
 
     def save(self, folder: str | os.PathLike[str]) -> Path:
-        """Write ``material.json``, ``fit.json`` and ``parameters.csv`` into `folder`; returns it."""
-        target = Path(folder)
-        try:
-            target.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise MotesError(
-                f"{target} cannot be made: {error.strerror or error}", "Choose another folder with -o"
-            ) from error
-        self.material.save(target / "material.json")
-        write_text(target / "fit.json", json.dumps(self.to_dict(), indent=1, allow_nan=False) + "\n")
-        write_csv(target / "parameters.csv", self.csv_rows())
-        return target
+        """Write ``material.json``, ``fit.json`` and ``parameters.csv`` into `folder`, all of them or none; returns it."""
+        with together(Path(folder)) as staging:
+            self.material.save(staging / "material.json")
+            write_text(staging / "fit.json", json.dumps(self.to_dict(), indent=1, allow_nan=False) + "\n")
+            write_csv(staging / "parameters.csv", self.csv_rows())
+        return Path(folder)
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Write a self-contained HTML report; returns its path."""

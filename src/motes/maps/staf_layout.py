@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes.errors import MotesError
+from motes.files import together
 from motes.images import exr, library
 from motes.maps.fitted import FittedMap
 from motes.models import BRDF
@@ -97,16 +98,17 @@ def export_exr(
         maps[name] = partial(value, name)
     target = Path(folder)
     written = []
-    for k, (name, of) in enumerate(maps.items()):
-        if progress:
-            progress(k, len(maps), f"writing {name}")
-        coefficients = np.zeros((degree + 1, *fitted.shape, 3), np.float32)
-        for block in fitted.blocks:
-            where = fitted.blocks.slices(block)
-            part = polynomials(of(where), fitted.hours, degree)
-            coefficients[(slice(None), *where)] = part if part.ndim == 4 else part[..., None]
-        for d, picture in enumerate(coefficients):
-            written.append(exr.write(target / f"{name}-{d}.exr", picture, PURPOSE))
+    with together(target) as staging:
+        for k, (name, of) in enumerate(maps.items()):
+            if progress:
+                progress(k, len(maps), f"writing {name}")
+            coefficients = np.zeros((degree + 1, *fitted.shape, 3), np.float32)
+            for block in fitted.blocks:
+                where = fitted.blocks.slices(block)
+                part = polynomials(of(where), fitted.hours, degree)
+                coefficients[(slice(None), *where)] = part if part.ndim == 4 else part[..., None]
+            for d, picture in enumerate(coefficients):
+                written.append(target / exr.write(staging / f"{name}-{d}.exr", picture, PURPOSE).name)
     return written
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
-import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -11,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from motes.errors import DataError, MotesError
+from motes.files import together
 from motes.measurements.tvbrdf import DATA, INFO
 
 
@@ -93,29 +92,22 @@ def write_tvbrdf(
         "Time stamps (s):",
         *(f"scan {t:02d}: {time:.9g} s" for t, time in enumerate(times, 1)),
     ]
-    temporary: Path | None = None
-    try:
-        if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-            raise MotesError(
-                f"{folder} exists and is not an empty folder", "Choose another, or remove it; nothing is overwritten"
-            )
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        temporary = Path(tempfile.mkdtemp(prefix=f".{folder.name}.", suffix=".partial", dir=folder.parent))
-        new = temporary / folder.name  # mkdtemp's own folder is private; this one is made as any other
-        (new / DATA).mkdir(parents=True)
-        (new / INFO).write_text("\n".join(info) + "\n", encoding="utf-8")
-        for file, text in texts.items():
-            (new / DATA / file).write_text(text, encoding="ascii")
-        if folder.exists():
-            folder.rmdir()  # empty; Windows does not rename onto a folder
-        new.rename(folder)
-    except OSError as error:
+    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
         raise MotesError(
-            f"{folder} cannot be written: {error.strerror or error}", "Choose a folder that is writable and has room"
-        ) from error
-    finally:
-        if temporary is not None:
-            shutil.rmtree(temporary, ignore_errors=True)
+            f"{folder} exists and is not an empty folder", "Choose another, or remove it; nothing is overwritten"
+        )
+    with together(folder.parent, "Choose a folder that is writable and has room") as staging:
+        new = staging / folder.name
+        try:
+            (new / DATA).mkdir(parents=True)
+            (new / INFO).write_text("\n".join(info) + "\n", encoding="utf-8")
+            for file, text in texts.items():
+                (new / DATA / file).write_text(text, encoding="ascii")
+        except OSError as error:
+            raise MotesError(
+                f"{folder} cannot be written: {error.strerror or error}",
+                "Choose a folder that is writable and has room",
+            ) from error
     return folder
 
 

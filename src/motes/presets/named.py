@@ -12,7 +12,7 @@ from pathlib import Path
 
 from motes.channels import default_names
 from motes.errors import DataError, MotesError
-from motes.files import reading
+from motes.files import reading, settle
 from motes.files.finding import existing, exists, near
 from motes.material import Material, load
 from motes.measurements import bird
@@ -28,6 +28,7 @@ def material_at(path: Path) -> Path | None:
 
     A JSON file of measured data (BiRD) is none.
     """
+    settle(path if path.is_dir() else path.parent)  # what a fit that was killed had decided to write
     file = path / "material.json" if path.is_dir() else path
     if file.suffix.lower() != ".json" or not file.is_file():
         return None

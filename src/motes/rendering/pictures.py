@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes.errors import MotesError
-from motes.files import replacing
+from motes.files import check_writable
 from motes.material import Material
 from motes.rendering import films, panels, tonemap
 from motes.rendering.arrangement import each_titled, layout, mosaic, words
@@ -224,9 +224,7 @@ def _writable(target: Path) -> None:
     native(target)  # its frames lie beside it
     if target.is_dir():
         raise MotesError(f"{target} is a folder", f"Name a file, such as -o {target / 'picture.png'}")
-    with replacing(target.with_name(f".{target.name}.try")) as temporary:
-        temporary.touch()
-    target.with_name(f".{target.name}.try").unlink()
+    check_writable(target)
 
 
 def _times(materials: Sequence[Material], hours: Sequence[float] | None, film: bool) -> tuple[float, ...]:

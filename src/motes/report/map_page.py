@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from motes.drawing.colour import channels_to_srgb, data_uri, png, sequential, srgb_encode
 from motes.drawing.markup import Html, table, tag
 from motes.drawing.svg import number
-from motes.files import replacing, write_text
+from motes.files import replacing, together, write_text
 from motes.maps.comparison import quartiles
 from motes.maps.fitted import FittedMap
 from motes.maps.layout import FLAGS, NOT_FITTED, VERDICT_FLAGS, worst
@@ -77,9 +77,12 @@ def write_map_page(fitted: FittedMap, path: str | os.PathLike[str]) -> Path:
     """
     target = Path(path)
     strips = parameter_strips(fitted)
-    with replacing(target.with_suffix(".png")) as temporary:
-        temporary.write_bytes(png(contact_sheet([s.pictures for s in strips])))
-    return write_text(target, _page(fitted, strips))
+    sheet, page = png(contact_sheet([s.pictures for s in strips])), _page(fitted, strips)
+    with together(target.parent) as staging:
+        with replacing(staging / target.with_suffix(".png").name) as temporary:
+            temporary.write_bytes(sheet)
+        write_text(staging / target.name, page)
+    return target
 
 
 def parameter_strips(fitted: FittedMap) -> list[Strip]:
