@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from motes.meshes.mesh import Mesh
+    from motes.models import BRDF
     from motes.rendering.wiping import Stroke
 
 
@@ -42,7 +43,8 @@ def dust(
 ) -> int:
     """Let dust settle on a mesh: more on what lies level and open, none under a table.
 
-    Writes the optical thickness tau at the vertices (a PLY file with the property tau) or as a texture (EXR or PFM).
+    Writes the optical thickness tau at the vertices (a PLY file with the property tau) or as a texture (EXR or PFM), or the
+    mesh as it looks, in glTF (GLB).
     The amount on a level, open surface is days x growth-per-day, or that of a material's own dust.
 
     Parameters
@@ -82,7 +84,7 @@ def dust(
     seed
         Of the noise.
     output
-        NAME.ply for tau at the vertices, NAME.exr or NAME.pfm for a texture; MESH-dusty.ply when not given.
+        NAME.ply for tau at the vertices, NAME.glb for glTF with the dust as colours, NAME.exr or NAME.pfm for a texture; MESH-dusty.ply when not given.
     """
     from motes.cli import console, paths
     from motes.cli.options import numbers
@@ -91,22 +93,21 @@ def dust(
     from motes.meshes.ply import write_ply
     from motes.meshes.subdivision import refine as refined
     from motes.rendering.baking import SUFFIXES, bake, write_texture
-    from motes.rendering.deposition import GROWTH_PER_DAY, deposit, open_tau, settled_options
+    from motes.rendering.deposition import GROWTH_PER_DAY, deposit, dusted, open_tau, settled_options
     from motes.rendering.wiping import read_mask
 
     file = Path(output) if output is not None else Path(f"{paths.slug(Path(mesh).stem)}-dusty.ply")
-    if file.suffix.lower() not in (".ply", *SUFFIXES):
+    if file.suffix.lower() not in (".ply", ".glb", *SUFFIXES):
         raise MotesError(
-            f"{file} is neither a mesh nor a texture by its name", "Write -o NAME.ply, NAME.exr or NAME.pfm"
+            f"{file} is neither a mesh nor a texture by its name", "Write -o NAME.ply, NAME.glb, NAME.exr or NAME.pfm"
         )
     if material is not None and growth_per_day is not None:
         raise MotesError("both --material and --growth-per-day were given", "Give one of them")
     options = settled_options(numbers(set, "--set"))
-    level = open_tau(
-        days,
-        growth_per_day=GROWTH_PER_DAY if growth_per_day is None else growth_per_day,
-        material=None if material is None else paths.material_of(material),
-    )
+    covered = None if material is None else paths.material_of(material)
+    rate = GROWTH_PER_DAY if growth_per_day is None else growth_per_day
+    level = open_tau(days, growth_per_day=rate, material=covered)
+    notes: tuple[str, ...] = ()
     if not 0 <= refine <= 8:
         raise MotesError(f"--refine {refine} is outside [0, 8]", "Each step makes four times the triangles")
     shape = refined(mesh_of(mesh, outwards), refine)
@@ -123,18 +124,21 @@ def dust(
         **options,
     }
     with console.progress(common, f"dust on {shape.name}") as step:
-        if file.suffix.lower() == ".ply":
+        if file.suffix.lower() in (".ply", ".glb"):
             tau: NDArray[np.floating[Any]] = deposit(shape, progress=step, **arguments).tau(level)
             told = f"tau of dust after {days:g} days, {level:.6g} where level and open; made by motes dust"
             dusty = shape.with_attribute("tau", tau)
-            # Mitsuba's own reader takes numbers whose names end so; it calls the attribute vertex_tau.
-            write_ply(file, dusty.with_attribute("tau_0", tau), (told,))
+            if file.suffix.lower() == ".glb":
+                notes = _write_glb(file, dusty, dusted(days, growth_per_day=rate, material=covered), told)
+            else:
+                # Mitsuba's own reader takes numbers whose names end so; it calls the attribute vertex_tau.
+                write_ply(file, dusty.with_attribute("tau_0", tau), (told,))
         else:
             baked = bake(shape, texture_size, progress=step, **arguments)
             picture = baked.texture(level)
             tau = picture[baked.covered]
             write_texture(file, picture)
-    _report(file, shape, tau, days, level, common)
+    _report(file, shape, tau, days, level, notes, common)
     if level > 0 and float(tau.max()) == 0:
         console.warn(_nowhere(shape))
     return 0
@@ -146,10 +150,29 @@ def _nowhere(shape: Mesh) -> str:
     return f"no dust landed anywhere: {inwards or 'no open face looks to where it comes from, or it was carried off; --up says where up is (y when not given)'}"
 
 
-def _report(file: Path, shape: Mesh, tau: NDArray[np.floating[Any]], days: float, level: float, common: Common) -> None:
+def _write_glb(file: Path, dusty: Mesh, model: BRDF, told: str) -> tuple[str, ...]:
+    """Write the mesh as glTF, and return what that cannot say."""
+    from motes.exports.gltf_dust import dusty_look
+    from motes.meshes.glb import write_glb
+
+    look = dusty_look(model, dusty.attributes["tau"], f"{dusty.name} under dust")
+    write_glb(file, dusty, look.colours, look.material, f"Motes; {told}")
+    return look.notes
+
+
+def _report(
+    file: Path,
+    shape: Mesh,
+    tau: NDArray[np.floating[Any]],
+    days: float,
+    level: float,
+    said: tuple[str, ...],
+    common: Common,
+) -> None:
     from motes.cli import console
 
-    is_mesh = file.suffix.lower() == ".ply"
+    suffix = file.suffix.lower()
+    is_mesh = suffix in (".ply", ".glb")
     places = "vertices" if is_mesh else "texels"
     facts = {"min": float(tau.min()), "mean": float(tau.mean()), "max": float(tau.max())}
     if common.json:
@@ -162,18 +185,18 @@ def _report(file: Path, shape: Mesh, tau: NDArray[np.floating[Any]], days: float
                 "days": days,
                 "open_tau": level,
                 "tau": facts,
-                "notes": list(shape.notes),
+                "notes": [*shape.notes, *said],
             }
         )
     elif not common.quiet:
         console.print_facts(
             [
                 ("mesh", f"{shape.name}: {len(shape.positions)} vertices, {len(shape.triangles)} triangles"),
-                *(("note", note) for note in shape.notes),
+                *(("note", note) for note in (*shape.notes, *said)),
                 ("dust", f"tau = {level:.4g} where it is level and open, after {days:g} days"),
                 ("tau", f"{facts['min']:.3g} to {facts['max']:.3g}, mean {facts['mean']:.3g} over {len(tau)} {places}"),
                 ("written", str(file)),
-                *([("next", f"motes render MATERIAL --scene {file} -o picture.png")] if is_mesh else []),
+                *([("next", f"motes render MATERIAL --scene {file} -o picture.png")] if suffix == ".ply" else []),
             ]
         )
 

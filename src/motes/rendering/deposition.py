@@ -36,7 +36,7 @@ from motes.ageing.phenomenon import Option
 from motes.errors import MotesError, ParameterError
 from motes.material import Material
 from motes.meshes.mesh import Mesh, unit
-from motes.models import Lambert, layer_of
+from motes.models import BRDF, Lambert, layer_of
 from motes.rendering.gathering import falling, hold
 from motes.rendering.noise import cloudy
 from motes.rendering.rays import Progress, Surroundings
@@ -243,23 +243,27 @@ def open_tau(days: float, *, growth_per_day: float = GROWTH_PER_DAY, material: M
     ParameterError
         For days or a rate below 0, or a material without dust.
     """
+    layer = layer_of(dusted(days, growth_per_day=growth_per_day, material=material))
+    assert layer is not None
+    return float(checked_tau(np.ravel(layer.depth.value), "dust" if material is None else material.name)[0])
+
+
+def dusted(days: float, *, growth_per_day: float = GROWTH_PER_DAY, material: Material | None = None) -> BRDF:
+    """What a level, open surface is after some days: a model with dust on top; the arguments are those of `open_tau`."""
     if not (np.isfinite(days) and days >= 0):
         raise ParameterError(f"days = {days:g} is not a length of time", "Give a number of days, 0 or more")
     if material is not None:
-        layer = layer_of(material.at(24 * days))
-        if layer is None:
+        found = material.at(24 * days)
+        if layer_of(found) is None:
             raise ParameterError(
                 f"{material.name} has no layer of dust on top", "motes age MATERIAL --phenomenon dust lays one over it"
             )
-        return float(checked_tau(np.ravel(layer.depth.value), material.name)[0])
-    if days == 0:
-        return 0.0
+        return found
     if not (np.isfinite(growth_per_day) and growth_per_day >= 0):
         raise ParameterError(f"growth_per_day = {growth_per_day:g} is not a rate", "Give tau a day, 0 or more")
-    aged = PHENOMENA["dust"](Lambert(K_d=0.5), hours=24 * days, tau_growth=growth_per_day * days)
-    layer = layer_of(aged.brdf)
-    assert layer is not None  # what the phenomenon makes
-    return float(aged.trends[layer.depth.name](24 * days))
+    hours = 24 * max(days, 1.0)
+    aged = PHENOMENA["dust"](Lambert(K_d=0.5), hours=hours, tau_growth=growth_per_day * hours / 24)
+    return aged.at(24 * days)
 
 
 def checked_tau(tau: Floats, what: str) -> Floats:
