@@ -104,7 +104,7 @@ def test_every_offered_page_has_a_writer_for_the_class_that_asks_for_it() -> Non
         parameters = list(inspect.signature(outlets.writer(name), eval_str=True).parameters.values())
         assert parameters[1].name == "path"
         kinds[name] = parameters[0].annotation
-    assert len(set(kinds.values())) == len(kinds) == 4
+    assert len(set(kinds.values())) == len(kinds) == 5
     for name, kind in kinds.items():
         asked = name if getattr(kind, "kind", None) == name else f'"{name}"'
         call = f"outlets.report({'self.kind' if asked == name else asked}, self, path)"

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from motes.errors import MotesError
     from motes.fitting import Fit, fit
     from motes.fitting.conversion import convert
+    from motes.fitting.model_table import Comparison, compare
     from motes.material import Material, load
     from motes.measurements import Measurement, read
     from motes.models import (
@@ -40,6 +41,8 @@ _HOMES = {
     "certify": "certification",
     "MotesError": "errors",
     "Fit": "fitting",
+    "Comparison": "fitting.model_table",
+    "compare": "fitting.model_table",
     "convert": "fitting.conversion",
     "fit": "fitting",
     "Material": "material",
@@ -68,6 +71,7 @@ _HOMES = {
 outlets.offer("fit", "motes.report.fit_page", "write_report")
 outlets.offer("fit over time", "motes.report.time_page", "write_time_report")
 outlets.offer("certificate", "motes.report.certificate_page", "write_certificate")
+outlets.offer("comparison", "motes.report.comparison_page", "write_comparison")
 outlets.offer("fitted map", "motes.report.map_page", "write_map_page")
 
 
@@ -90,6 +94,7 @@ __all__ = [
     "GTR",
     "Beckmann",
     "CoatedDiffuse",
+    "Comparison",
     "Conductor",
     "Dielectric",
     "Dust",
@@ -106,6 +111,7 @@ __all__ = [
     "View",
     "__version__",
     "certify",
+    "compare",
     "convert",
     "fit",
     "load",

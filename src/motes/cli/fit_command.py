@@ -15,6 +15,7 @@ def fit(
     /,
     *,
     model: Annotated[str, Parameter(name=["--model", "-m"])] = "auto",
+    models: str | None = None,
     loss: Literal["linear", "plain", "log", "cube_root"] = "linear",
     robust: Literal["none", "soft_l1", "huber", "cauchy"] = "none",
     weights: Literal["measurement", "uniform"] = "measurement",
@@ -56,6 +57,9 @@ def fit(
     model
         Such as "oren_nayar + torrance_sparrow"; values in brackets are held: "oren_nayar(sigma_d=0.3)". "auto" compares
         several by how they predict directions left out.
+    models
+        Two or more, with commas between them: a table of them beside each other in place of one fit. Writes comparison.json
+        and comparison.html.
     loss
         What is made small: "linear" is (f - r) cos(theta_i).
     robust
@@ -118,6 +122,10 @@ def fit(
             f"--max-theta-deg {max_theta_deg:g} is outside (0, 90] degrees", "80 leaves out grazing angles"
         )
     if is_map(data):
+        if models is not None:
+            raise MotesError(
+                "--models is for measurements, and this is a map", "--model auto compares models on some texels"
+            )
         if scale is not None:
             raise MotesError(
                 "--scale is for measurements, and this is a map",
@@ -162,6 +170,8 @@ def fit(
     )
     from motes.cli.fitting_measurements import fit_and_write, load_measurement
 
+    if models is not None:
+        _one_time(model=model != "auto", trend=bool(kinds), scale=scale is not None, errors=errors != "auto")
     measurement = load_measurement(data, reading, common)
     folder = Path(output) if output is not None else Path(f"motes-{slug(measurement.name)}")
     options: dict[str, Any] = {
@@ -175,7 +185,21 @@ def fit(
         "scale": 1.0 if scale is None else _scale(scale),
         "errors": errors,
     }
+    if models is not None:
+        from motes.cli.comparing import compare_and_write, split_models
+
+        own = {name: value for name, value in options.items() if name not in ("model", "scale", "errors")}
+        return compare_and_write(measurement, split_models(models), time, folder, report, own, common)
     return fit_and_write(measurement, time, folder, report, options, common, kinds=kinds)
+
+
+def _one_time(**given: bool) -> None:
+    """Refuse options that a comparison of models does not take."""
+    from motes.errors import MotesError
+
+    for name, said in given.items():
+        if said:
+            raise MotesError(f"--{name} does not go with --models, which compares models at one time", "Leave it out")
 
 
 def _only_for_maps(**options: Any) -> None:

@@ -31,7 +31,11 @@ Say = Callable[[str], None]
 
 
 def climb(
-    data: Measurement, wishes: Wishes, say: Say = lambda what: None, also: Collection[str] = ()
+    data: Measurement,
+    wishes: Wishes,
+    say: Say = lambda what: None,
+    also: Collection[str] = (),
+    models: Sequence[str] = (),
 ) -> tuple[Rung, ...]:
     """Fit the candidates to one scan; in the order of the ladder.
 
@@ -41,13 +45,16 @@ def climb(
         Called with each candidate before it is fitted.
     also
         Candidates that are fitted even if they do not look worth it.
+    models
+        What is fitted in place of the candidates, in this order, as it is written.
 
     Raises
     ------
     DataError
         Of the first candidate, when the data suffice for none.
     """
-    check_names((*wishes.fixed, *wishes.per_channel))
+    if not models:
+        check_names((*wishes.fixed, *wishes.per_channel))
     rows = _compared(data)
     if rows is not None:
         if not isinstance(wishes.weights, str):
@@ -59,11 +66,14 @@ def climb(
     ladder = _Ladder(data, wishes, channels, say)
     if wishes.robust != "none":
         plain = _Ladder(data, wishes, channels, say)
-        plain.clean()
+        plain.named(models) if models else plain.clean()
         ladder.plain = plain.rungs
-    ladder.clean()
-    ladder.highlights_per_channel()
-    ladder.layers(also)
+    if models:
+        ladder.named(models)
+    else:
+        ladder.clean()
+        ladder.highlights_per_channel()
+        ladder.layers(also)
     if not ladder.rungs:
         raise ladder.too_few or DataError("no candidate of auto has a parameter that is free", "Hold fewer parameters")
     return tuple(ladder.rungs)
@@ -89,6 +99,11 @@ class _Ladder:
         self.plain: Sequence[Rung] = ()  # fits without the robust function, which tell its scale
         self.too_few: DataError | None = None
         self._blocks: Labels | None = None
+
+    def named(self, models: Sequence[str]) -> None:
+        """Those that were asked for."""
+        for text in models:
+            self._try(text)
 
     def clean(self) -> None:
         """Those without a layer."""

@@ -46,7 +46,7 @@ def blocks_of(wi: Floats, wo: Floats, count: int = BLOCKS) -> Labels:
     >>> blocks_of(from_spherical(theta, 0.0), from_spherical(theta, np.pi), 3).tolist()
     [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2]
     """
-    at = _coordinates(wi, wo)
+    at = coordinates(wi, wo)
     labels = np.zeros(len(at), np.intp)
     for k, part in enumerate(_cut(at, np.arange(len(at)), count)):
         labels[part] = k
@@ -69,7 +69,7 @@ def _cut(at: Floats, part: Labels, count: int) -> list[Labels]:
     return [part]
 
 
-def _coordinates(wi: Floats, wo: Floats) -> Floats:
+def coordinates(wi: Floats, wo: Floats) -> Floats:
     """Coordinates (N, 3) [rad] of what a reciprocal, isotropic surface can tell apart."""
     theta_h, theta_d, phi_d = half_difference(wi, wo)
     quarter = np.arctan2(np.abs(np.sin(phi_d)), np.abs(np.cos(phi_d)))
