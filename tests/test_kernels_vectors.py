@@ -91,3 +91,18 @@ def test_lanes_are_brought_into_rows(last: int) -> None:
     for first in (0, 8, 16, 21):
         call(given.ctypes.data, given.strides[0], last, first, found.ctypes.data)
     np.testing.assert_array_equal(found, given[np.minimum(np.arange(LANES), last)].T)
+
+
+def test_vectors_on_the_stack_lie_within_cache_lines() -> None:
+    """llvmlite drops the attribute that says so where a function has no other."""
+
+    @intrinsic
+    def run(typing, x, y):  # type: ignore[no-untyped-def]
+        return vectors.rows(LANES, "F", "x y\na = row x F 0\nput y F 0 a", x, y)
+
+    @numba.njit("void(int64, int64)")
+    def call(x, y):  # type: ignore[no-untyped-def]
+        run(x, y)
+
+    (text,) = call.inspect_llvm().values()
+    assert "alignstack=64" in text

@@ -25,6 +25,7 @@ from numba.core import cgutils, types
 from motes.kernels.vector_functions import DOUBLE, FLAGS, FLOAT, SCALARS, Lanes
 
 _WORD = ir.IntType(64)
+LINE = 64  # bytes of a cache line
 PIECE = 8  # numbers that `transposed` reads at once from a lane's memory
 Intrinsic = tuple[Any, Callable[..., Any]]
 
@@ -145,6 +146,10 @@ class _Writer(Lanes):
 
     def __init__(self, builder: Any, lanes: int, scalar: str, addresses: Mapping[str, Any]) -> None:
         super().__init__(builder, lanes, scalar)
+        # LLVM keeps vectors for which it has no register on the stack, which it aligns to 16 bytes unless told otherwise: half of a cache line's vectors
+        # would then lie across two.
+        builder.function.attributes.alignstack = LINE
+        builder.function.attributes.add("nounwind")  # llvmlite writes no attributes where there are none of this kind
         self.addresses = addresses
 
     def run(self, lines: list[list[str]], indices: Mapping[str, Any]) -> dict[str, Any]:
