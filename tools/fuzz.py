@@ -6,8 +6,8 @@
 Small valid specimens (`fuzz_specimens.py`) are damaged (`fuzz_damage.py`) and read as users read them (`fuzz_readers.py`), each format in a process of
 its own whose address space may grow by 96 MiB over what it had: what a file may take (`motes.files.budget`) and half as much for what is made of it.
 The viewer's parsers run under Node (`viewer/fuzz.mjs`, `fuzz_viewer.py`).  What counts as a failure: an exception that is no `MotesError`, an error
-without a hint, memory refused by the system, an input that takes ten seconds of computing or from which nothing is heard for a minute, the end of the
-process; the next process goes on after it.
+without a hint, memory refused by the system or more than a file may take, an input that takes ten seconds of computing or from which nothing is heard
+for a minute, the end of the process; the next process goes on after it.
 """
 
 from __future__ import annotations
@@ -34,11 +34,12 @@ import fuzz_damage
 import fuzz_specimens  # first of what needs the folders that it finds
 import fuzz_viewer
 import numpy as np
-from fuzz_page import Outcome, page
+from fuzz_page import GOOD, Outcome, page
 from fuzz_readers import OTHERS, measurement
 
 import measurement_files as files
 from motes.errors import MotesError
+from motes.files import budget
 from motes.measurements import READERS
 
 GROWTH = 96 * 2**20
@@ -140,6 +141,8 @@ def work(name: str, count: int, seconds: float, seed: int, scratch: str, pipe: C
         before, start = most_held(record), time.process_time()
         what = attempt(folder / target, name, turn)
         took, most = time.process_time() - start, most_held(record) - before
+        if what in GOOD and most > budget.allowed(len(changed)):
+            what = "more memory than it may take"
         outcome.add(
             what, took, most, len(changed), lambda victim=victim, changed=changed: f"{victim}: {changed[:4000].hex()}"
         )

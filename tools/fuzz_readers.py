@@ -36,8 +36,14 @@ def measurement(path: Path, name: str, turn: int) -> str:
 
 def picture(path: Path, _name: str, _turn: int) -> str:
     stated = transfer_functions.Transfer("linear") if path.suffix == ".tif" else None
-    values = photograph.open_photograph(path, stated).linear()
-    return "read" if values.ndim == 3 and not np.isinf(values).any() else "not an array of numbers"
+    found = photograph.open_photograph(path, stated)
+    height, width, channels = found.stored.shape
+    rows = max(2**20 // (width * channels), 1)  # as they are read, some at a time
+    for first in range(0, height, rows):
+        values = found.linear(slice(first, first + rows))
+        if values.ndim != 3 or np.isinf(values).any():
+            return "not an array of numbers"
+    return "read"
 
 
 def mesh(path: Path, _name: str, _turn: int) -> str:

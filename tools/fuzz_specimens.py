@@ -10,8 +10,10 @@ import sys
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT / "src"), str(ROOT / "tests")]
@@ -81,13 +83,26 @@ def pictures() -> Specimens:
         image_files.write_exr(folder / "a.exr", half)
 
     def others(folder: Path) -> None:
-        for name in ("a.tif", "a.jpg"):
-            oiio = library.oiio("Writing pictures")
-            facts = oiio.ImageSpec(7, 5, 3, "uint8")
-            facts.attribute("Exif:ColorSpace", 1)
+        oiio = library.oiio("Writing pictures")
+
+        def write(name: str, pixels: NDArray[Any], tile: int = 0, **attributes: Any) -> None:
+            facts = oiio.ImageSpec(*pixels.shape[1::-1], pixels.shape[2], pixels.dtype.name)
+            for key, value in attributes.items():
+                facts.attribute(key.replace("__", ":"), value)
+            if tile:
+                facts.tile_width = facts.tile_height = tile
+            if pixels.shape[2] == 6:
+                facts.channelnames = ("R", "G", "B", "A", "Z", "normal.X")
             out = oiio.ImageOutput.create(name)
-            if not (out.open(str(folder / name), facts) and out.write_image(codes) and out.close()):
+            if not (out.open(str(folder / name), facts) and out.write_image(pixels) and out.close()):
                 raise OSError(out.geterror())
+
+        for name in ("a.tif", "a.jpg"):
+            write(name, codes, Exif__ColorSpace=1)
+        write("tiles.tif", np.tile(codes.astype(np.uint16) * 200, (4, 5, 1)), 16, compression="zip")
+        many = rng.uniform(0, 1, (20, 24, 6)).astype(np.float32)
+        for way in ("zip", "piz", "rle"):
+            write(f"{way}.exr", many, 16, compression=way)
 
     found = {
         **folder_of(exr),

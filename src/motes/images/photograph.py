@@ -166,7 +166,7 @@ def read_mask(path: Path, purpose: str = "Reading a mask") -> Floats:
         raise FormatError(f"{path} does not exist", "Give the path of a picture: PNG, JPEG, TIFF, EXR or PFM") from None
     except OSError as error:
         raise FormatError(f"{path} cannot be read: {error.strerror or error}", "Check the path") from None
-    values = picture.stored.astype(np.float64).mean(axis=2)
+    values = picture.stored.mean(axis=2, dtype=np.float64)
     if picture.largest is not None:
         values /= picture.largest
     if not np.isfinite(values).all():
