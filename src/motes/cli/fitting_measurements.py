@@ -48,7 +48,7 @@ def fit_and_write(
 
     `truth` holds what is true of simulated data, `kinds` the kinds of trend that are settled.
     """
-    from motes.cli import console
+    from motes.cli import console, invocation
     from motes.errors import MissingExtraError
     from motes.files import together
     from motes.fitting import fit
@@ -61,6 +61,7 @@ def fit_and_write(
     with together(folder) as staging:
         with console.progress(common, "fitting") as step:
             result = fit(measurement, time=index, progress=step, **options)
+        result = result.made_by(invocation.command())
         result.save(staging)
         if report:
             try:

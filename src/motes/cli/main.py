@@ -9,6 +9,7 @@ import sys
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
+from motes.cli.invocation import ARGUMENTS
 from motes.cli.statuses import BROKEN_PIPE, DEFECT, DONE, INTERRUPTED, USAGE
 
 if TYPE_CHECKING:
@@ -70,6 +71,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         The arguments; those of the process by default.
     """
     arguments = list(sys.argv[1:] if argv is None else argv)
+    ARGUMENTS.set(tuple(arguments))
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")  # a terminal that cannot show sigma still gets its table

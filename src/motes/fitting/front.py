@@ -15,6 +15,7 @@ from motes.errors import DataError, MotesError
 from motes.fitting import scaled
 from motes.fitting.error_bars import ERRORS
 from motes.fitting.losses import loss_named, robust_named
+from motes.fitting.origin_of_fit import origin_of
 from motes.fitting.over_time import fit_over_time
 from motes.fitting.result import Fit, Progress
 from motes.fitting.setup import Wishes, uncertainties_of
@@ -107,6 +108,22 @@ def fit(
             f"time {time} is outside 0..{data.n_times - 1}: the measurement has {data.n_times} time(s)",
             "Choose one with time=",
         )
+    origin = origin_of(
+        data,
+        {
+            "model": model,
+            "loss": loss,
+            "robust": robust,
+            "weights": weights,
+            "fixed": fixed,
+            "per_channel": per_channel,
+            "max_theta": max_theta,
+            "scale": scale,
+            "time": time,
+            "trends": trends,
+            "errors": errors,
+        },
+    )
     if time is not None and data.n_times > 1:
         data = data.at(time)
     if max_theta is not None:
@@ -131,7 +148,19 @@ def fit(
     if not isinstance(errors, str) or errors not in ERRORS:
         raise MotesError(f"errors {errors!r} is not one of {', '.join(ERRORS)}", "Leave it out for 'auto'")
     wishes = Wishes(loss, robust, weights, fixed, per_channel, errors=errors)
-    if scale == scaled.FREE:
+    result = _fitted(data, model, wishes, trends, scale == scaled.FREE, progress)
+    return replace(result, origin=origin)
+
+
+def _fitted(
+    data: Measurement,
+    model: str | BRDF,
+    wishes: Wishes,
+    trends: str | Mapping[str, str],
+    free_scale: bool,
+    progress: Progress | None,
+) -> Fit | TimeFit:
+    if free_scale:
         free = replace(wishes, free_scale=True)
         data = scaled.middling(data)
         if data.n_times == 1:

@@ -7,18 +7,21 @@ import math
 import os
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
-from typing import Any, ClassVar, final
+from typing import Any, ClassVar, Self, final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from motes import outlets
 from motes.arrays import Array
+from motes.errors import MissingExtraError
 from motes.files import together, write_csv, write_text
 from motes.fitting.error_bars import ErrorBars
-from motes.fitting.formatting import correlations_as_json, finite, with_error
+from motes.fitting.formatting import MOST_CORRELATED, correlations_as_json, finite, with_error
+from motes.fitting.origin_of_fit import Origin
+from motes.fitting.shown import notebook
 from motes.fitting.verdicts import Status, Verdict
 from motes.material import Material
 from motes.measurements import Measurement
@@ -116,6 +119,8 @@ class Result(ABC):
         What the error bars take as independent, and why.
     dusty
         Whether a layer of dust lies on it: True, False, or None where the data cannot tell, or nothing was compared with one.
+    origin
+        What is needed to make it again; None where it was put together from other results.
     """
 
     material: Material
@@ -132,6 +137,7 @@ class Result(ABC):
     seconds: float
     errors: ErrorBars
     dusty: bool | None = field(default=None, kw_only=True)
+    origin: Origin | None = field(default=None, kw_only=True)
 
     #: What `motes.outlets` calls results of this kind, and the ``format`` of their JSON.
     kind: ClassVar[str]
@@ -158,6 +164,7 @@ class Result(ABC):
             "masked": dict(self.measurement.masked),
             "iterations": self.iterations,
             "seconds": round(self.seconds, 3),
+            "origin": self.origin.to_dict() if self.origin else None,
         }
         return about | self.details() | after
 
@@ -172,6 +179,42 @@ class Result(ABC):
     @abstractmethod
     def csv_rows(self) -> Iterator[list[str]]:
         """The rows of ``parameters.csv``, the headings first."""
+
+    @abstractmethod
+    def records(self) -> list[dict[str, Any]]:
+        """The parameters as rows of numbers, NaN where there is none."""
+
+    def to_dataframe(self) -> Any:
+        """`records` as a data frame of pandas, which the extra xarray brings.
+
+        Raises
+        ------
+        MissingExtraError
+            Where pandas is not installed.
+        """
+        try:
+            import pandas
+        except ImportError:
+            raise MissingExtraError("pandas", "xarray", "A data frame of parameters") from None
+        return pandas.DataFrame.from_records(self.records())
+
+    def made_by(self, command: str) -> Self:
+        """The same result, which says the command line that made it."""
+        return replace(self, origin=replace(self.origin, command=command)) if self.origin else self
+
+    def __repr__(self) -> str:
+        rms = 100 * self.metrics["relative_rms"]
+        status = "" if self.status.ok else ", not converged"
+        return f"<{type(self).__name__} of {self.model_text} to {self.measurement.name!r}: relative RMS {rms:.3g} %{status}>"
+
+    def _repr_html_(self) -> str:
+        facts = [
+            ("relative RMS", f"{100 * self.metrics['relative_rms']:.3g} %"),
+            ("errors", str(self.errors)),
+            ("status", str(self.status)),
+            *(("finding", text) for text in self.findings),
+        ]
+        return notebook(f"{self.model_text}, fitted to {self.measurement.name}", self.table(), facts)
 
     @property
     def source(self) -> str:
@@ -192,7 +235,7 @@ class Result(ABC):
 
 
 @final
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Fit(Result):
     """The result of `motes.fit` for one time; see `Result` for what it shares with others.
 
@@ -243,6 +286,7 @@ class Fit(Result):
             },
             "labels": list(self.labels),
             **correlations_as_json(self.labels, self.correlations),
+            "covariance": finite(self.covariance) if len(self.labels) <= MOST_CORRELATED else None,
             "n_starts": self.n_starts,
         }
 
@@ -261,6 +305,24 @@ class Fit(Result):
                     "unit": p.unit,
                     "verdict": str(verdict),
                     "meaning": p.doc,
+                }
+            )
+        return rows
+
+    def records(self) -> list[dict[str, Any]]:
+        """A row for each parameter and channel: ``parameter``, ``channel``, ``value``, ``stderr``, the ends of the intervals, ``unit``, ``verdict``."""
+        rows = []
+        for p, k, value, stderr, verdict in self._cells():
+            ends = {level: np.atleast_2d(both)[k] for level, both in p.intervals.items()}
+            rows.append(
+                {
+                    "parameter": p.name,
+                    "channel": self.material.channels[k] if np.size(p.value) > 1 else "",
+                    "value": value,
+                    "stderr": stderr,
+                    **{f"{side}_{n}": float(e[i]) for n, e in ends.items() for i, side in enumerate(("low", "high"))},
+                    "unit": p.unit,
+                    "verdict": str(verdict).partition(":")[0],
                 }
             )
         return rows

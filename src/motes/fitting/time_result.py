@@ -37,7 +37,7 @@ class ScanOutlier:
 
 
 @final
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class TrendFit:
     """The trend of one parameter.
 
@@ -63,6 +63,9 @@ class TrendFit:
     unit: str
     doc: str
 
+    def __repr__(self) -> str:
+        return f"<TrendFit of {self.name}: {self.trend.kind}, {str(self.verdict).partition(':')[0]}>"
+
     def band(self, hours: ArrayLike) -> tuple[Floats, Floats]:
         """Value and one standard error (T, W) at times [h].
 
@@ -81,7 +84,7 @@ class TrendFit:
 
 
 @final
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class TimeFit(Result):
     """The result of fitting a measurement with several times; see `Result` for what it shares with others.
 
@@ -153,6 +156,20 @@ class TimeFit(Result):
                         "meaning": t.doc,
                     }
                 )
+        return rows
+
+    def records(self) -> list[dict[str, Any]]:
+        """A row for each parameter, channel and scan: ``parameter``, ``channel``, ``hours``, ``value``, ``stderr``, ``trend``, ``unit``, ``verdict``."""
+        rows = []
+        for t in self.trends.values():
+            values, errors = t.band(self.hours)
+            for k, (value, stderr) in enumerate(zip(values.T, errors.T, strict=True)):
+                about = {"parameter": t.name, "channel": self._channel(k, values)}
+                kind = {"trend": t.trend.kind, "unit": t.unit, "verdict": str(t.verdict).partition(":")[0]}
+                rows += [
+                    {**about, "hours": float(h), "value": float(v), "stderr": float(e), **kind}
+                    for h, v, e in zip(self.hours, value, stderr, strict=True)
+                ]
         return rows
 
     def csv_rows(self) -> Iterator[list[str]]:

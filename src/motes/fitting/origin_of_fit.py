@@ -1,0 +1,91 @@
+"""What is needed to make a fit again: when, by which Motes, with which options, from which data."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any, final
+
+import numpy as np
+
+from motes.measurements import Measurement
+from motes.models import BRDF, describe
+from motes.version import __version__
+
+
+@final
+@dataclass(frozen=True)
+class Origin:
+    """How a fit was made.
+
+    Attributes
+    ----------
+    date
+        When, in UTC (ISO 8601).
+    motes
+        The version.
+    options
+        The arguments of `motes.fit`, as plain values; an array is told by its shape.
+    sha256_of_arrays
+        Of the measurement as it was given: see `digest`.
+    sha256_of_file
+        Of the file that it was read from; None where it is no single file any more.
+    command
+        The command line; None where Python called.
+    """
+
+    date: str
+    motes: str
+    options: dict[str, Any]
+    sha256_of_arrays: str
+    sha256_of_file: str | None
+    command: str | None = None
+
+    def to_dict(self) -> dict[str, Any]:
+        """As plain JSON values."""
+        return asdict(self)
+
+
+def origin_of(data: Measurement, options: Mapping[str, Any]) -> Origin:
+    """The origin of a fit to `data` that begins now."""
+    return Origin(
+        datetime.now(UTC).isoformat(timespec="seconds"),
+        __version__,
+        {name: _plain(value) for name, value in options.items()},
+        digest(data),
+        _file_digest(data.provenance.get("path")),
+    )
+
+
+def digest(data: Measurement) -> str:
+    """The SHA-256 of a measurement's numbers: wi, wo, times, values (NaN where masked), weights and uncertainties, as little-endian float64 in C order."""
+    total = hashlib.sha256()
+    values = np.where(data.mask, data.values, np.nan)
+    for array in (data.wi, data.wo, data.times, values, data.weights, data.uncertainties):
+        if array is not None:
+            total.update(np.ascontiguousarray(array, "<f8").tobytes())
+    return total.hexdigest()
+
+
+def _file_digest(path: Any) -> str | None:
+    try:
+        with Path(str(path)).open("rb") as file:
+            return hashlib.file_digest(file, "sha256").hexdigest() if path else None
+    except (OSError, ValueError):
+        return None
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, BRDF):
+        return {"model": describe(value), "starts": {slot.name: _plain(slot.value) for slot in value.slots()}}
+    if value is None or isinstance(value, (bool, int, float, str)):
+        return value
+    if isinstance(value, Mapping):
+        return {str(k): _plain(v) for k, v in value.items()}
+    if isinstance(value, (list, tuple, set, frozenset)) and len(value) <= 100:
+        return [_plain(v) for v in value]
+    array = np.asarray(value)
+    return array.tolist() if array.dtype.kind in "bif" and array.size <= 100 else f"an array of shape {array.shape}"
