@@ -36,11 +36,12 @@ def compare_and_write(
     common: Common,
 ) -> int:
     """Compare, write comparison.json and comparison.html, print the table; returns the exit status."""
-    from motes.cli import console, paths
+    from motes.cli import console
+    from motes.files import together
     from motes.fitting.model_table import compare
 
     index = time_of(time, measurement.n_times, {})
-    with paths.results(folder) as staging:
+    with together(folder) as staging:
         with console.progress(common, "comparing") as step:
             found = compare(measurement, models, time=index, progress=step, **options)
         found.save(staging / "comparison.json")
