@@ -159,6 +159,8 @@ def computed(graph: ElementTree.Element, values: dict[str, Any]) -> list[tuple[A
             nodes[node.get("name")] = getattr(np, node.tag)(given["in1"], given["in2"])
         elif node.tag in ("max", "min"):
             nodes[node.get("name")] = getattr(np, f"{node.tag}imum")(given["in1"], given["in2"])
+        elif node.tag == "ifgreater":
+            nodes[node.get("name")] = np.where(given["value1"] > given["value2"], given["in1"], given["in2"])
         elif node.tag in ("exp", "sqrt"):
             nodes[node.get("name")] = getattr(np, node.tag)(given["in"])
         elif node.tag == "convert":
@@ -191,6 +193,7 @@ def test_three_ways_of_one_conversion(name: str, tmp_path: Path) -> None:
         "sqrt": np.sqrt,
         "max": np.maximum,
         "min": np.minimum,
+        "select": lambda otherwise, then, chosen: np.where(chosen, then, otherwise),
         "wo": (0, 0, 1 / 1.66),
         **parameters,
     }

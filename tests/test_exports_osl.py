@@ -18,11 +18,11 @@ from motes import Material
 from motes.exports import export, osl
 from motes.models import BRDF, Dust, DustLayer
 from shader_runners import checked
-from shader_support import MODELS, PLASTER, SPECTRAL, check, directions, expected
+from shader_support import COAT, MODELS, PLASTER, SPECTRAL, check, directions, expected
 
 SCRIPT = Path(__file__).with_name("osl_in_blender.py")
 WI, WO = directions()
-MULTIPLE = DustLayer(PLASTER, Dust((0.9, 0.8, 0.6), 0.3), tau=0.4, scattering="multiple")
+MULTIPLE = DustLayer(PLASTER + COAT, Dust((0.9, 0.8, 0.6), 0.3), tau=0.4, scattering="multiple")
 
 
 def blender() -> str:

@@ -154,6 +154,8 @@ _TEXTS: dict[str, Callable[..., str]] = {
     "sqrt": "sqrt({})".format,
     "maximum": "max({}, {})".format,
     "minimum": "min({}, {})".format,
+    "lt": "({} < {})".format,
+    "where": "select({2}, {1}, {0})".format,  # OSL's: the first where the last is 0
 }
 
 

@@ -98,11 +98,22 @@ class Graph:
         op = supported(symbol)
         if op in _ARITHMETIC:
             return self.calculate(_ARITHMETIC[op], *args)
+        if op == "lt":  # 1 or 0; value1 > value2
+            return self._choose(args[1], args[0], number(1), number(0))
+        if op == "where":
+            return self._choose(args[0], number(0.5), args[1], args[2])
         if op == "neg":
             return self.calculate("multiply", args[0], number(-1))
         if op == "expm1":
             return self.calculate("subtract", self._function("exp", args[0]), number(1))
         return self._function(op, args[0])
+
+    def _choose(self, more: Value, less: Value, then: Value, otherwise: Value) -> Value:
+        """One of two values, by whether a number is more than another."""
+        if "color3" in (then.type, otherwise.type):
+            then, otherwise = self.color(then), self.color(otherwise)
+        inputs = {"value1": more, "value2": less, "in1": then, "in2": otherwise}
+        return self.node("ifgreater", then.type, inputs)
 
     def _function(self, name: str, value: Value) -> Value:
         """``exp`` or ``sqrt``, which nodes do for numbers and vectors but not for colours."""
