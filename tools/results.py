@@ -38,7 +38,16 @@ SHORT = {
     "oren_nayar": "ON",
     "lambert + torrance_sparrow": "Lambert+TS",
     RICH: "ON+TS",
+    "oren_nayar + torrance_sparrow(fresnel=schlick)": "ON+TS, Schlick",
+    "eon + ggx(fresnel=schlick)": "EON+GGX, Schlick",
+    "eon + gtr(fresnel=schlick)": "EON+GTR, Schlick",
+    "coated_diffuse + ggx(fresnel=schlick)": "coat+GGX",
+    "coated_diffuse + gtr(fresnel=schlick)": "coat+GTR",
+    "coated_diffuse + hapke(B_0=0, h=0.1) + ggx(fresnel=schlick)": "coat+grazing rise+GGX",
     f"dust_layer({RICH})": "dust",
+    f"dust_layer({RICH}, scattering=multiple)": "dust",
+    "dust_layer(eon + gtr(fresnel=schlick))": "dust",
+    "dust_layer(eon + gtr(fresnel=schlick), scattering=multiple)": "dust",
 }
 # Real materials ask for more than the source's models: a Fresnel term, energy that is kept, longer tails.
 RICHER = {
@@ -69,7 +78,7 @@ def number(fit: motes.Fit, name: str) -> str:
 
 
 def curet(folder: Path) -> list[str]:
-    rows, table, dusty, odd = [], [], 0, 0
+    rows, table, dusty, unsure = [], [], 0, 0
     for sample in list_samples(folder):
         data = motes.read(folder, sample=int(sample))
         plain = [motes.fit(data, model, loss="plain") for model in ("oren_nayar", RICH)]
@@ -78,11 +87,10 @@ def curet(folder: Path) -> list[str]:
         rows.append([f.metrics["relative_rms"] for f in (*plain, linear, auto)])
         p = [number(plain[1], name) for name in ("K_d", "sigma_d", "K_s", "sigma_s")]
         masked = data.mask.size - int(data.mask.sum())
-        if "w" in auto.parameters:
-            dusty += 1
-            odd += not (auto.parameters["w"].verdict.name == "IDENTIFIED" and auto.parameters["w"].value <= 1)
+        dusty += auto.dusty is True
+        unsure += auto.dusty is None
         table.append(
-            f"| {sample} | {' | '.join(percent(x) for x in rows[-1])} ({SHORT[auto.model_text]}) | {' | '.join(p)} | {masked} |"
+            f"| {sample} | {' | '.join(percent(x) for x in rows[-1])} ({SHORT.get(auto.model_text, auto.model_text)}) | {' | '.join(p)} | {masked} |"
         )
     medians = np.median(rows, axis=0)
     ten = motes.read(folder, sample=10)
@@ -104,8 +112,7 @@ def curet(folder: Path) -> list[str]:
         ],
         f"Over the mean instead of the RMS of the data, plain: {percent(to_mean)} %.",
         "",
-        f"`auto` takes the dust layer over ON+TS for {dusty} of the samples, none of which is dusty: residuals that no model here explains are not independent, and BIC then",
-        f"prefers the largest. In {odd} of these w is over 1 or not well known, so the dust is a name for one more broad lobe, not a finding.",
+        f"`auto` calls {dusty} of the samples dusty, and cannot tell of {unsure}; none of them is ([verdicts.md](verdicts.md)).",
         "",
         "| sample | ON | ON+TS | ON+TS linear | auto | K_d | sigma_d [rad] | K_s | sigma_s [rad] | masked |",
         "|---|---|---|---|---|---|---|---|---|---|",
