@@ -384,7 +384,7 @@ ENTRIES = (
     ),
     Entry(
         "dust_layer_over_a_highlight",
-        DustLayer(PLASTER + GGX((0.3, 0.2, 0.1), 0.2), Dust((0.95, 0.8, 0.5), 0.7), tau=0.4, scattering="multiple"),
+        DustLayer(OrenNayar((0.6, 0.5, 0.4), 0.4) + GGX(0.2, 0.2), Dust((0.95, 0.8, 0.5), 0.7), 0.4, "multiple"),
         dust_layer_over_a_highlight,
         at_most=None,
     ),
