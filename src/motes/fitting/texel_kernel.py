@@ -29,7 +29,7 @@ Singles = NDArray[np.float32]
 MAX_ITERATIONS = 60
 #: A texel has converged when a step promises less than this share of its objective; that step is taken, and one more by the gradient there.  Moments are
 #: asked for more than they can tell, so that rounding decides; under a robust function what is left after a step is about as large as the step.
-REDUCTION = {"moments": 1e-9, "direct": 1e-7, "series": 2e-6}
+REDUCTION = {"moments": 1e-9, "direct": 1e-7, "series": 1e-7}
 ROBUST_REDUCTION = 1e-10
 TASK = 128 * LANES  # texels that a thread takes at a time
 # Blocks with at most so many texels left hand them over to blocks of such texels; not worth it for few.
