@@ -201,7 +201,8 @@ class Running:
         return False
 
     def silent(self) -> bool:
-        return time.monotonic() > self.heard + SILENCE
+        # A beginning may take longer on a busy machine.
+        return time.monotonic() > self.heard + SILENCE * (1 if self.well else 10)
 
     def end_silent(self) -> bool:
         self.process.kill()

@@ -56,7 +56,7 @@ class Parser:
         self.rest = b""
         own = json.loads(fuzz_specimens.materials()[0][0]["a"])
         self.send({"library": library(), "own": own, "dust": shapes()["dust_by_inclination"]})
-        self.answer(60.0)  # it is ready
+        self.answer(600.0)  # it is ready
 
     def send(self, message: Any) -> None:
         assert self.process.stdin is not None
