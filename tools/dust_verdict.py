@@ -149,6 +149,7 @@ def page(rows: list[Row], image: str) -> str:
             *(line(title, part) for title, part in parts),
             "",
             f"CUReT samples called dusty: {called or 'none'}. The goals are 5 % at most of the clean ones, and 95 % at least of the dusty ones.",
+            "The threshold was chosen on these CUReT samples and on an earlier draw of the simulated ones: other samples have to judge it.",
             "",
             f"![Found against falsely called, as the threshold moves]({image})",
             "",
