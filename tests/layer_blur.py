@@ -67,7 +67,8 @@ def added(
     x = np.abs(tau / mu_i - tau / mu_r)
     single = w * tau / (mu_i * mu_r) * np.maximum(s_i, s_r) * (1 + x / 6) / (1 + 2 * x / 3 + x**2 / 6)
     several = s_i * again_r + s_r * again_i + (once_i + again_i) * (once_r + again_r)
-    steep = (1 + F["steep"] * (mu_i * mu_r - 0.5)) * (mu_i + mu_r) / (4 * mu_i * mu_r)
+    uneven = np.minimum((mu_i + mu_r) ** 2 / (4 * mu_i * mu_r), 1.2)
+    steep = (1 + F["steep"] * (mu_i * mu_r - 0.5)) * uneven / (mu_i + mu_r)
     weights = [single * (s_i * a_i + s_r * a_r), several * steep * (a_i + a_r)]
     # The lobe, from the angles.
     cos_gamma = np.sin(theta_i) * np.sin(theta_r) * np.cos(dphi) + mu_i * mu_r

@@ -145,3 +145,14 @@ def test_models_know_their_albedo(model: BRDF, within: float) -> None:
 def test_a_model_without_a_highlight_says_so() -> None:
     assert all(model.spread() is None for model in (BODY, OrenNayar(0.5), Dust(0.5), BODY + GGX(0.5, 0.1)))
     assert GGX(0.5, 0.1).spread() == 0.1
+
+
+@pytest.mark.parametrize("base", [GGX(1.0, 0.1), GGX(1.0, 0.3), TorranceSparrow(1.0, 0.3, "facets")])
+def test_light_that_grazes_is_not_multiplied(base: BRDF) -> None:
+    """White dust over facets that reflect all: at most 3 % too much up to 70 degrees, and 11 % at the horizon."""
+    wi = from_spherical(np.radians([25.0, 50.0, 70.0, 80.0, 84.0, 88.0, 89.0]), np.zeros(7))
+    for g, tau in ((0.3, 0.1), (0.6, 0.3), (0.85, 0.5), (0.85, 2.0)):
+        layer = DustLayer(base, Dust(w=1.0, g=g), tau, scattering="multiple")
+        albedo = np.asarray(layer.directional_albedo(wi, nodes=(48, 64)))[:, 0]
+        assert albedo[:3].max() < 1.03
+        assert albedo.max() < 1.11

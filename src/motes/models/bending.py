@@ -38,6 +38,8 @@ DEEPEST = 100.0
 # Below, the phase function counts as even.
 LEAST_FORWARD = 1e-3
 LEAST = 1e-9
+# Of (mu_i + mu_r)^2 / (4 mu_i mu_r): what photons were compared with, at incidences up to 55 degrees, is below.
+MOST_UNEVEN = 1.2
 
 
 def uniform(count: int) -> list[tuple[float, float]]:
@@ -143,7 +145,10 @@ class Highlight:
         a_i, a_r = self.term.reflected(xp, mu_i), self.term.reflected(xp, mu_r)
         (own, own_2), (kept, kept_2), (bend, bend_2) = self.own, bending.kept, self._bends
         once = bending.scattered_once(geometry, i, r) * (i.straight * a_i + r.straight * a_r)
-        level = (1 + f["steep"] * (mu_i * mu_r - 0.5)) * (0.25 * (mu_i + mu_r) / (mu_i * mu_r))
+        # 1/mu of the mirrored direction, the mean of both. It is bounded where one of them grazes and the lobe reaches far above it.
+        both = mu_i + mu_r
+        inverse = xp.minimum(both / (mu_i * mu_r), (4 * MOST_UNEVEN) / both)
+        level = (1 + f["steep"] * (mu_i * mu_r - 0.5)) * (0.25 * inverse)
         again = self._again(i, r) * (level * (a_i + a_r))
         near, far = self._lobe(geometry, bend), self._lobe(geometry, bend_2)
         return (1 - own) * kept * once * near + (1 - own_2) * kept_2 * again * far
