@@ -21,8 +21,12 @@ from kill_everywhere import KILLED, LAST, OPERATIONS, WRITING
 from motes.cli.main import main
 from motes.files import leftovers, settle
 
-# What differs from run to run: how long it took.
-VOLATILE = (re.compile(rb'"seconds": [0-9.e-]+'), re.compile(rb"\b[0-9]+\.?[0-9]* s\b"))
+# What differs from run to run: how long it took, and when it was.
+VOLATILE = (
+    re.compile(rb'"seconds": [0-9.e-]+'),
+    re.compile(rb"\b[0-9]+\.?[0-9]* s\b"),
+    re.compile(rb"\b20[0-9]{2}-[01][0-9]-[0-3][0-9]T[0-9:.]+"),
+)
 CSV = "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg,R,G,B\n" + "".join(
     f"{i},0,{o},{p},{0.1 + 0.001 * i + 0.0005 * o:.5f},{0.2 + 0.0003 * (i - o):.5f},0.{15 + (i + o + p) % 7}\n"
     for i in (5, 25, 45, 65)
