@@ -38,6 +38,12 @@ def test_the_version_is_said_once() -> None:
     assert motes.__version__ == PROJECT["project"]["version"] == metadata.version("motes")
 
 
+def test_rooms_are_attributes_of_the_package_from_the_start() -> None:
+    """As the README writes them, in a process that has imported nothing else."""
+    asked = "import motes; motes.directions.from_spherical(0.1, 0.2); assert not hasattr(motes, 'nowhere') and not hasattr(motes, '_x')"
+    subprocess.run([sys.executable, "-c", asked], check=True, timeout=60)
+
+
 def test_everything_an_extra_names_is_in_all_or_dev() -> None:
     extras = PROJECT["project"]["optional-dependencies"]
     (everything,) = extras["all"]

@@ -55,6 +55,21 @@ CASES: dict[str, tuple[Description, BRDF]] = {
         {"type": "motes_dusty", "base": {"type": "diffuse", "reflectance": rgb(*RED)}, "w": 0.9, "g": -0.6, "tau": 0.4},
         DustLayer(Lambert(RED), Dust(0.9, -0.6), 0.4),
     ),
+    "dusty_multiple": (
+        {"type": "motes_dusty", "K_d": rgb(*RED), "w": rgb(*WHITE), "g": 0.6, "tau": 0.5, "scattering": "multiple"},
+        DustLayer(OrenNayar(RED) + TorranceSparrow(), Dust(WHITE, 0.6), 0.5, "multiple"),
+    ),
+    "multiple_over_diffuse": (
+        {
+            "type": "motes_dusty",
+            "base": {"type": "diffuse", "reflectance": rgb(*RED)},
+            "w": rgb(*WHITE),
+            "g": 0.6,
+            "tau": 0.7,
+            "scattering": "multiple",
+        },
+        DustLayer(Lambert(RED), Dust(WHITE, 0.6), 0.7, "multiple"),
+    ),
     "dust_over_dust": (
         {
             "type": "motes_dusty",
@@ -486,18 +501,20 @@ def test_a_material_brighter_than_white(tmp_path: Path, variant: str) -> None:
 
 
 @needs_llvm
-@pytest.mark.parametrize("nested", [False, True])
-def test_gradients_by_every_parameter(nested: bool) -> None:
+@pytest.mark.parametrize(
+    ("case", "count"), [("dusty", 7), ("dust_over_diffuse", 3), ("dusty_multiple", 7), ("multiple_over_diffuse", 3)]
+)
+def test_gradients_by_every_parameter(case: str, count: int) -> None:
     """Dr.Jit's, in float32, against central differences of Motes in float64."""
     import drjit as dr
 
     mi = load_mitsuba("llvm_ad_rgb")
-    description, model = CASES["dust_over_diffuse" if nested else "dusty"]
+    description, model = CASES[case]
     bsdf = load_scene(description)
     viewer, light = (w[:400] for w in pairs(400))
     parameters = mi.traverse(bsdf)
     names = [name for name, _ in parameters if not name.startswith("base")]
-    assert len(names) == (3 if nested else 7)
+    assert len(names) == count
     for name in names:
         dr.enable_grad(parameters[name])
     parameters.update()

@@ -44,6 +44,12 @@ def mi() -> Any:
         ({"type": "motes_dusty", "a": DIFFUSE, "b": DIFFUSE}, "motes_dusty has 2 nested BSDFs"),
         ({"type": "motes_dusty", "base": {"type": "mask", "bsdf": DIFFUSE}}, "Put motes_dusty inside the mask"),
         ({"type": "motes_dusty", "base": DIFFUSE, "K_d": 0.5}, "motes_dusty has no parameter 'K_d'"),
+        ({"type": "motes_dusty", "scattering": "twice"}, "scattering = 'twice' is not one of single, multiple"),
+        ({"type": "motes_dusty", "base": DIFFUSE, "scattering": "twice"}, "scattering = 'twice' is not one of single"),
+        (
+            {"type": "motes_dusty", "base": DIFFUSE, "scattering": "multiple", "w": 1.2},
+            "motes_dusty: w = 1.2 is outside [0, 1]",
+        ),
         (
             {"type": "motes_oren_nayar", "sigma": 0.5},
             "motes_oren_nayar has no parameter 'sigma'. Did you mean sigma_d?",

@@ -59,6 +59,20 @@ CASES: dict[str, tuple[Description, BRDF | None]] = {
         {"type": "motes_dusty", "base": DIFFUSE, "w": 0.9, "g": -0.6, "tau": 0.4},
         DustLayer(Lambert(K_d=(0.8, 0.5, 0.2)), Dust(w=0.9, g=-0.6), 0.4),
     ),
+    "multiple_over_diffuse": (
+        {"type": "motes_dusty", "base": DIFFUSE, "w": 0.95, "g": 0.6, "tau": 0.6, "scattering": "multiple"},
+        DustLayer(Lambert(K_d=(0.8, 0.5, 0.2)), Dust(w=0.95, g=0.6), 0.6, "multiple"),
+    ),
+    "multiple_over_principled": (
+        {
+            "type": "motes_dusty",
+            "base": {"type": "principled", "roughness": 0.4},
+            "w": 0.95,
+            "tau": 0.4,
+            "scattering": "multiple",
+        },
+        None,
+    ),
     "dust_over_principled": (
         {"type": "motes_dusty", "base": {"type": "principled", "roughness": 0.4}, "g": 0.7, "tau": 0.1},
         None,

@@ -5,6 +5,7 @@ rooms, it also says which of them writes the pages that results are handed to (`
 """
 
 from importlib import import_module
+from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
 from motes import outlets
@@ -77,6 +78,9 @@ outlets.offer("fitted map", "motes.report.map_page", "write_map_page")
 
 def __getattr__(name: str) -> object:
     if name not in _HOMES:
+        # The rooms, too: motes.directions, motes.rendering.
+        if not name.startswith("_") and find_spec(f"motes.{name}") is not None:
+            return import_module(f"motes.{name}")
         raise AttributeError(f"module 'motes' has no attribute {name!r}")
     value = getattr(import_module(f"motes.{_HOMES[name]}"), name)
     globals()[name] = value

@@ -1,4 +1,4 @@
-"""``motes_dusty`` over a nested BSDF of any plugin: Blinn's layer of dust."""
+"""``motes_dusty`` over a nested BSDF of any plugin: a layer of dust, with one scattering or with all orders."""
 
 from __future__ import annotations
 
@@ -11,6 +11,10 @@ from motes.arrays import Array, Columns
 from motes.directions import HORIZON, Geometry, Vector
 from motes.errors import ParameterError
 from motes.models import BRDF, Component, DustLayer
+from motes.models.components import Reflecting
+from motes.models.dust import MULTIPLE
+from motes.models.exchange import Exchange
+from motes.models.multiple_scattering import Diffused
 from motes.rendering.mixture import SMALLEST_COSINE, Mixture
 from motes.rendering.surface_plugin import _describe, _kind, _spectrum
 from motes.rendering.textures import Values
@@ -31,6 +35,20 @@ class _Nested(BRDF):
         return [Component(self.formula, None, _ASSUMED_ALBEDO)]  # type: ignore[arg-type]
 
 
+@final
+@dataclass(frozen=True, eq=False)
+class _Lit(Reflecting):
+    """The nested BSDF as light meets it that dust has scattered: diffuse, with the albedo that Mitsuba tells."""
+
+    albedo: Array
+
+    def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
+        return []
+
+    def reflected(self, xp: Array, cos_theta_i: Array) -> Array:
+        return self.albedo
+
+
 def nested_bsdfs(mi: Any, properties: Any) -> list[Any]:
     """The BSDFs among a plugin's properties."""
     objects = (properties.get(key) for key in properties if properties.type(key) == mi.Properties.Type.Object)
@@ -44,9 +62,12 @@ def layer_class(mi: Any) -> type:
     flags = mi.BSDFFlags
 
     class DustyLayer(mi.BSDF):
-        """T f_base + (1 - T) f_dust on the front side; light that crosses the layer once, into glass, keeps its share."""
+        """T f_base + (1 - T) f_dust on the front side; light that crosses the layer once, into glass, keeps its share.
 
-        def __init__(self, properties: Any) -> None:
+        With ``scattering="multiple"`` all orders are added, and light between the dust and the nested BSDF, to which it is diffuse.
+        """
+
+        def __init__(self, properties: Any, scattering: str) -> None:
             # Whatever can be refused comes first: once it is made, Dr.Jit calls this object in every render of the process.
             name, nested = properties.plugin_name(), nested_bsdfs(mi, properties)
             if len(nested) != 1:
@@ -56,8 +77,8 @@ def layer_class(mi: Any) -> type:
                 raise ParameterError(
                     f"{name}: the nested BSDF lets light through unbent", "Put motes_dusty inside the mask"
                 )
-            values = Values(mi, name, DustLayer(_Nested()))
-            values.read_parameters(properties)
+            values = Values(mi, name, DustLayer(_Nested(), scattering=scattering))
+            values.read_parameters(properties, ("scattering",))
             mi.BSDF.__init__(self, properties)
             self.base, self.values = base, values
             count = self.base.component_count()
@@ -67,7 +88,12 @@ def layer_class(mi: Any) -> type:
             self.has_delta = bool(self.base.flags() & flags.Delta)
 
         def _layer(self, si: Any, active: Any) -> _Layer:
-            return _Layer(*self.values.models(si, active), si.wi)
+            model, averaged = self.values.models(si, active)
+            albedo: Any = 0.0
+            if cast(DustLayer, model).scattering == MULTIPLE:
+                found = self.base.eval_diffuse_reflectance(si, active)
+                albedo = _spectrum(mi, dr.clip(mi.unpolarized_spectrum(found), 0.0, 1.0))
+            return _Layer(model, averaged, si.wi, albedo)
 
         def _enabled(self, context: Any) -> tuple[bool, bool]:
             """Whether the context asks for the base, and for the dust."""
@@ -88,8 +114,12 @@ def layer_class(mi: Any) -> type:
             if dust:
                 above = active & (si.wi.z > HORIZON) & (wo.z > HORIZON)
                 own = _spectrum(mi, dr.select(above, layer.dust(wo) * wo.z, 0.0))
+                again = (
+                    _spectrum(mi, dr.select(above, layer.scattered_again(wo) * wo.z, 0.0)) if layer.multiple else 0.0
+                )
                 pdf = pdf + dr.select(above, (1 - chance) * layer.pdf(wo), 0.0)
-            return equations.dust_layer(layer.xp, value, own, layer.depth(wo)), pdf
+            total = equations.dust_layer(layer.xp, value, own, layer.depth(wo))
+            return (total + again if dust and layer.multiple else total), pdf
 
         def _chance(self, layer: _Layer, context: Any, si: Any) -> Any:
             """That the base is sampled: always from behind."""
@@ -153,13 +183,17 @@ def layer_class(mi: Any) -> type:
 class _Layer:
     """The dust where rays meet the surface: how much it lets through, what it scatters, and where it is sampled."""
 
-    def __init__(self, model: BRDF, averaged: BRDF, wi: Any) -> None:
+    def __init__(self, model: BRDF, averaged: BRDF, wi: Any, albedo: Array) -> None:
         import drjit as dr
 
         self.xp, self.model, self.wi = arrays.namespace(wi), cast(DustLayer, model), wi  # the template of this plugin
-        base, dust = averaged.components(self.xp, self.xp.maximum(dr.detach(wi.z), SMALLEST_COSINE))
-        self.chance = base.importance / (base.importance + dust.importance)
-        self._sampler = Mixture(model, averaged, wi, [1])
+        self.multiple, self._albedo = self.model.scattering == MULTIPLE, albedo
+        base, *dust = averaged.components(self.xp, self.xp.maximum(dr.detach(wi.z), SMALLEST_COSINE))
+        scattered: Array = 0.0
+        for part in dust:
+            scattered = scattered + part.importance
+        self.chance = base.importance / (base.importance + scattered)
+        self._sampler = Mixture(model, averaged, wi, range(1, 1 + len(dust)))
 
     def _geometry(self, wo: Any) -> Geometry:
         return Geometry(self.xp, Vector(self.wi.x, self.wi.y, self.wi.z), Vector(wo.x, wo.y, wo.z))
@@ -167,6 +201,12 @@ class _Layer:
     def dust(self, wo: Any) -> Array:
         """The BRDF of the dust alone [1/sr]."""
         return self.model.dust.formula(self.xp, self._geometry(wo))
+
+    def scattered_again(self, wo: Any) -> Array:
+        """The BRDF of light scattered more than once, and of light between the dust and the nested BSDF [1/sr]."""
+        dust = self.model.dust
+        layer = Diffused(self.xp, self.model.tau, dust.w, dust.g)
+        return Exchange((_Lit(self._albedo),), layer).formula(self.xp, self._geometry(wo))
 
     def depth(self, wo: Any) -> Array:
         """Optical thickness along the path; a direction below the surface does not cross the layer."""

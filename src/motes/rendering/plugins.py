@@ -7,6 +7,7 @@ from typing import Any
 
 from motes.errors import ParameterError
 from motes.models import BRDF, DustLayer, OrenNayar, TorranceSparrow, registered
+from motes.models.dust import SINGLE
 
 
 def names() -> list[str]:
@@ -23,9 +24,12 @@ def constructors(mi: Any) -> dict[str, Callable[[Any], Any]]:
 
     def dusty(properties: Any) -> Any:
         """Over the nested BSDF; where there is none, over the rough surface with a highlight of equations (1)-(11)."""
+        scattering = _word(properties, properties.plugin_name(), "scattering") or SINGLE
         if nested_bsdfs(mi, properties):
-            return layer(properties)
-        return surface(properties, DustLayer(OrenNayar() + TorranceSparrow()))
+            return layer(properties, scattering)
+        return surface(
+            properties, DustLayer(OrenNayar() + TorranceSparrow(), scattering=scattering), (), ("scattering",)
+        )
 
     models = {f"motes_{name}": _model_plugin(surface, name) for name in _alone()}
     return models | {"motes_dusty": dusty, "motes_material": material_class(mi, surface)}
