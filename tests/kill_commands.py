@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from kill_everywhere import KILLED, LAST, OPERATIONS, WRITING
+from kill_everywhere import KILLED, LAST, dies_at
 from motes.cli.main import main
 from motes.files import leftovers, settle
 
@@ -93,24 +93,6 @@ JOBS: dict[str, Job] = {
     "view": Job(("view", "{inputs}/paint.json", "-o", "out.html")),
     "report": Job(("report", "{inputs}/rock.csv", "out.html")),
 }
-
-
-def dies_at(n: int | None, below: Path) -> list[int]:
-    """End this process before its n-th operation on what is below a folder, or in the current one; a list of one, the number so far."""
-    count = [0]
-
-    def hook(event: str, arguments: tuple[Any, ...]) -> None:
-        if event not in OPERATIONS and not (event == "open" and int(arguments[2] or 0) & WRITING):
-            return
-        name = arguments[0]
-        if not isinstance(name, (str, os.PathLike)) or not os.path.abspath(name).startswith(str(below)):
-            return
-        if count[0] == n:
-            os._exit(KILLED)
-        count[0] += 1
-
-    sys.addaudithook(hook)
-    return count
 
 
 class Run(NamedTuple):

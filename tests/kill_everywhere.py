@@ -31,14 +31,14 @@ WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT
 
 
 def dies_at(n: int | None, below: Path) -> list[int]:
-    """End this process before its n-th operation on a file in a folder; a list of one, the number of operations so far."""
+    """End this process before its n-th operation on what is below a folder, or in the current one; a list of one, the number of operations so far."""
     count = [0]
 
     def hook(event: str, arguments: tuple[Any, ...]) -> None:
         if event not in OPERATIONS and not (event == "open" and int(arguments[2] or 0) & WRITING):
             return
         name = arguments[0]
-        if not isinstance(name, (str, os.PathLike)) or not str(name).startswith(str(below)):
+        if not isinstance(name, (str, os.PathLike)) or not os.path.abspath(name).startswith(str(below)):
             return
         if count[0] == n:
             os._exit(KILLED)

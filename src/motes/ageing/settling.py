@@ -70,7 +70,7 @@ def scattered(layer: Layer) -> list[str]:
     """What the layer does with light, as files and terminals say it."""
     said = {
         "multiple": "light is scattered in the dust as often as it is (multiple scattering)",
-        "single": "light is scattered in the dust once, as in the source, which is too dark but for thin or black dust (docs/dust.md)",
+        "single": "light is scattered in the dust once, as Blinn has it, which is too dark but for thin or black dust (docs/dust.md)",
     }
     word = layer.whole.options().get("scattering")
     return [said[word]] if word in said else []

@@ -55,7 +55,13 @@ def compare_and_write(
         print()
         console.print_table(_table(found))
         print()
-        console.print_facts([("written", f"{folder}/: {', '.join(names)}")])
+        facts = [
+            ("relative RMS", "of all samples, unweighted"),
+            ("left out", "of blocks of directions that a fit to the others predicts, weighted as the loss weighs"),
+            ("sphere", "mean colour difference to the measurement under a lamp at 45 degrees; about 1 is just visible"),
+            ("written", f"{folder}/: {', '.join(names)}"),
+        ]
+        console.print_facts(facts)
     bad = [row.fit.model_text for row in found.rows if not row.fit.status.ok]
     if bad:
         console.warn(f"the fit of {', '.join(bad)} did not converge; its numbers are not to be trusted")

@@ -26,15 +26,14 @@ def about_dust(judgement: Judgement) -> tuple[str, ...]:
     if judgement.dusty is False or math.isnan(judgement.share):
         return ()
     margin = (
-        f"{judgement.share:.0%} of the squared error of the best model without one, on directions left out of the fit"
+        f"the squared error at directions left out of the fit is {100 * judgement.share:.0f} % of that of the best model without one "
+        f"({judgement.errors:.1f} standard errors less)"
     )
     if judgement.dusty:
-        return (
-            f"A layer of dust lies on it: with one {margin} are left ({judgement.errors:.1f} standard errors less).",
-        )
+        return (f"A layer of dust lies on it: with one, {margin}.",)
     return (
-        f"The data cannot tell whether dust lies on it: with a layer {margin} are left ({judgement.errors:.1f} standard errors less), but its "
-        "values are not those of dust, or the difference is not large enough. What was fitted has no layer.",
+        f"The data cannot tell whether dust lies on it: with a layer, {margin}, but its values"
+        " are not those of dust, or the difference is not large enough. What was fitted has no layer.",
     )
 
 

@@ -106,7 +106,7 @@ def fit(
     if time is not None and not 0 <= time < data.n_times:
         raise DataError(
             f"time {time} is outside 0..{data.n_times - 1}: the measurement has {data.n_times} time(s)",
-            "Choose one with time=",
+            "Choose one with --time, or time= in Python",
         )
     origin = origin_of(
         data,

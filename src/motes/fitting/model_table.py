@@ -182,7 +182,10 @@ def compare(
     if len(texts) < 2:
         raise DataError(f"{len(texts)} model(s) to compare: it takes two", "Name more, such as lambert and oren_nayar")
     if data.n_times > 1 and time is None:
-        raise DataError(f"the measurement has {data.n_times} times, and one is compared", "Choose one with time=")
+        raise DataError(
+            f"the measurement has {data.n_times} times, and one is compared",
+            "Choose one with --time, or time= in Python",
+        )
     steps, fits = 2 * len(texts), []
     say = progress or (lambda done, total, what: None)
     for k, text in enumerate(texts):

@@ -59,7 +59,7 @@ def fit_over_time(
     if len(usable) < 2:
         raise DataError(
             f"{len(usable)} of {data.n_times} scans has usable samples, and a trend needs two",
-            "Fit the one scan with time=",
+            "Fit the one scan with --time, or time= in Python",
         )
     tried: tuple[Trial, ...] = ()
     if wishes.errors == "profile":

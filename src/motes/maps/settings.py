@@ -197,7 +197,9 @@ def _names(given: Collection[str]) -> Collection[str]:
 def _check_times(stack: MapStack, time: int | None, trends: Mapping[str, str] | None) -> None:
     n = len(stack.hours)
     if time is not None and not 0 <= time < n:
-        raise DataError(f"time {time} is outside 0..{n - 1}: the map has {n} time(s)", "Choose one with time=")
+        raise DataError(
+            f"time {time} is outside 0..{n - 1}: the map has {n} time(s)", "Choose one with --time, or time= in Python"
+        )
     if trends is None:
         return
     if isinstance(trends, str):

@@ -22,7 +22,8 @@ CHOSEN = "chosen, not measured"
 #: Hours that the plaster is followed.
 PLASTER_HOURS = 6.0
 _HOFFMAN = (
-    "f0 of Hoffman, Background: Physics and Math of Shading, SIGGRAPH course 2013, linear RGB; the roughness is chosen"
+    "f0 as it is commonly quoted after Hoffman, Background: Physics and Math of Shading, SIGGRAPH course 2013, linear RGB, not checked "
+    "against measurements; the roughness is chosen"
 )
 
 
@@ -81,7 +82,7 @@ _ALL = (
     Preset(
         "plaster",
         "drying plaster",
-        f"the surface of motes demo, which gathers dust, 0 to {PLASTER_HOURS:g} h: {CHOSEN}",
+        f"the surface of motes simulate, which gathers dust, 0 to {PLASTER_HOURS:g} h: {CHOSEN}",
         _plaster,
     ),
     _base("red_paint", "drying_paint", CHOSEN),
