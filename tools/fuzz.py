@@ -1,7 +1,7 @@
 """Damage files of every format, many times, read them, and write docs/fuzzing.md.
 
     python tools/fuzz.py --minutes 1                                  # what make fuzz MINUTES=1 does
-    python tools/fuzz.py --count 100000 --output docs/fuzzing.md
+    python tools/fuzz.py --count 100000 --kept out/fuzzing.json --output docs/fuzzing.md  # goes on where it was left
 
 Small valid specimens (`fuzz_specimens.py`) are damaged (`fuzz_damage.py`) and read as users read them (`fuzz_readers.py`), each format in a process of
 its own whose address space may grow by 96 MiB over what it had: what a file may take (`motes.files.budget`) and half as much for what is made of it.
@@ -34,7 +34,7 @@ import fuzz_damage
 import fuzz_specimens  # first of what needs the folders that it finds
 import fuzz_viewer
 import numpy as np
-from fuzz_page import GOOD, Outcome, page
+from fuzz_page import GOOD, Outcome, keep, kept, page
 from fuzz_readers import OTHERS, measurement
 
 import measurement_files as files
@@ -250,6 +250,12 @@ def main() -> int:
     parser.add_argument("--formats", nargs="*", default=None, help="some of them; all by default")
     parser.add_argument("--processes", type=int, default=2, help="formats at a time")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument(
+        "--kept",
+        type=Path,
+        default=None,
+        help="a JSON file of formats done with so many inputs: what it holds is not done again",
+    )
     parser.add_argument("--output", type=Path, default=None, help="such as docs/fuzzing.md; printed only by default")
     parser.add_argument("--examples", type=Path, default=None, help="a JSON file for the first input of each failure")
     given = parser.parse_args()
@@ -257,16 +263,20 @@ def main() -> int:
     asked = names if given.formats is None else given.formats
     if unknown := set(asked) - set(names):
         parser.error(f"no formats: {', '.join(sorted(unknown))}; there are {', '.join(names)}")
-    seconds = 60 * given.minutes * given.processes / len(asked)
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # and tidy up
     start = time.monotonic()
-    results: dict[str, Outcome] = {}
-    for name, outcome in run(asked, given.count, seconds, given.seed, given.processes):
+    results = kept(given.kept, given.count, given.seed) if given.kept else {}
+    left = [name for name in asked if name not in results]
+    seconds = 60 * given.minutes * given.processes / max(len(left), 1)
+    for name, outcome in run(left, given.count, seconds, given.seed, given.processes):
         print(name, dict(outcome.counts), f"{outcome.slowest:.2f} s, {outcome.most / 2**20:.0f} MiB", flush=True)
         results[name] = outcome
+        if given.kept:
+            keep(given.kept, results, given.seed)
         if given.examples:
             given.examples.write_text(json.dumps({k: o.examples for k, o in results.items() if o.examples}, indent=1))
-    made = page({name: results[name] for name in asked}, given.seed, (time.monotonic() - start) / 60, SECONDS, GROWTH)
+    minutes = None if given.kept else (time.monotonic() - start) / 60
+    made = page({name: results[name] for name in asked}, given.seed, minutes, SECONDS, GROWTH)
     if given.output:
         given.output.write_text(made, encoding="utf-8")
     else:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import platform
 import time
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import numpy as np
 
@@ -49,10 +51,25 @@ class Outcome:
         self.examples = {**other.examples, **self.examples}
 
 
-def page(results: dict[str, Outcome], seed: int, minutes: float, seconds: float, growth: int) -> str:
-    """docs/fuzzing.md."""
+def keep(path: Path, results: dict[str, Outcome], seed: int) -> None:
+    """Write what came out for each format."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps({"seed": seed, "formats": {name: vars(o) for name, o in results.items()}}, indent=1))
+
+
+def kept(path: Path, count: int, seed: int) -> dict[str, Outcome]:
+    """The formats that a file holds of this seed, with that many inputs at least."""
+    if not path.exists() or (content := json.loads(path.read_text()))["seed"] != seed:
+        return {}
+    found = {name: Outcome(**{**o, "counts": Counter(o["counts"])}) for name, o in content["formats"].items()}
+    return {name: o for name, o in found.items() if o.inputs >= count}
+
+
+def page(results: dict[str, Outcome], seed: int, minutes: float | None, seconds: float, growth: int) -> str:
+    """docs/fuzzing.md; `minutes` is None where formats were done one after another, between other work."""
     total = sum(o.inputs for o in results.values())
     failed = sum(sum(o.failures.values()) for o in results.values())
+    took = "" if minutes is None else f" in {minutes:.0f} minutes"
     lines = [
         "# Damaged files",
         "",
@@ -63,7 +80,7 @@ def page(results: dict[str, Outcome], seed: int, minutes: float, seconds: float,
         "",
         "`make fuzz MINUTES=5` makes this page in five minutes (`tools/fuzz.py --help` says more); the test suite runs some seconds of the same.",
         "",
-        f"**{total:,} inputs, {failed:,} failures** in {minutes:.0f} minutes on {time.strftime('%Y-%m-%d')}, seed {seed}; Python {platform.python_version()}, "
+        f"**{total:,} inputs, {failed:,} failures**{took} on {time.strftime('%Y-%m-%d')}, seed {seed}; Python {platform.python_version()}, "
         f"NumPy {np.__version__}.",
         "",
         "| format | inputs | read | refused | failed | slowest [s] | most memory [MiB] | of what it may take [%] | largest input [KiB] |",
