@@ -17,7 +17,7 @@ import numpy as np
 
 import rivals
 from motes.kernels import engine
-from results import Effort, Number, Section, Table, command
+from results import Effort, Goal, Number, Section, Table, command
 from rivals import SURFACE
 from timing import Timing, interleaved
 
@@ -46,9 +46,10 @@ start = time.perf_counter()
 engine.evaluate(SURFACE, up, up)
 print(time.perf_counter() - start)
 """
-COUNTS = (1, 100, 10_000)
+COUNTS = (1, 100, 1_000, 10_000)
 CALLS = {
     "eval": "`model.eval`",
+    "eval64": "`model.eval`, float64",
     "engine": "`engine.evaluate`",
     "vjp": "`engine.vjp`",
     "numpy": "the equations over NumPy, nothing around them",
@@ -86,8 +87,10 @@ def calls(effort: Effort) -> dict[str, Timing]:
     for n in COUNTS:
         wi, wo = (np.ascontiguousarray(rivals.directions(n, seed).T) for seed in (1, 2))
         seed = np.ones((n, 3), np.float32)
+        doubles = [w.astype(np.float64) for w in (wi, wo)]
         candidates |= {
             f"eval_{n}": (lambda wi=wi, wo=wo: SURFACE.eval(wi, wo), 1),
+            f"eval64_{n}": (lambda doubles=doubles: SURFACE.eval(*doubles), 1),
             f"engine_{n}": (lambda wi=wi, wo=wo: engine.evaluate(SURFACE, wi, wo), 1),
             f"vjp_{n}": (lambda wi=wi, wo=wo, seed=seed: engine.vjp(SURFACE, wi, wo, seed), 1),
             f"numpy_{n}": (lambda wi=wi, wo=wo: rivals.plain_numpy(wi, wo), 1),
@@ -127,6 +130,10 @@ def starting(effort: Effort) -> Section:
                     for name, label in CALLS.items()
                 ],
             ),
+        ],
+        goals=[
+            Goal("`model.eval` at one direction", "eval_1", 50, at_least=False, unit=" µs"),
+            Goal("`model.eval` at 1,000 directions", "eval_1000", 100, at_least=False, unit=" µs"),
         ],
         reading=[
             "`import motes` adds {import_motes} s to Python's own start.",

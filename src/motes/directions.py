@@ -23,6 +23,8 @@ HORIZON = 1e-6
 # the horizon, so it changes no value; it keeps products of two cosines away from underflow in float32, and masked
 # directions free of 0/0.
 SMALLEST_COSINE = 1e-12
+# Of a component of a direction; a unit vector has 1, and printed digits little more.
+LONGEST = 1.01
 
 
 class Vector(NamedTuple):

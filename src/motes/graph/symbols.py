@@ -66,6 +66,14 @@ class Symbol:
     def __neg__(self) -> Symbol:
         return self.graph.apply("neg", self)
 
+    def __eq__(self, other: object) -> bool:
+        """Itself alone; a number is refused, lest a formula that asks ``if n == 1`` be recorded with the answer No for good."""
+        if other is None or isinstance(other, Symbol):
+            return self is other
+        raise TypeError("a symbol equals no number: choose with xp.where, not with if")
+
+    __hash__ = object.__hash__
+
     def __bool__(self) -> bool:
         raise TypeError("a symbol has no truth value: choose with xp.where, not with if, min or max")
 

@@ -15,17 +15,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes.arrays import NUMPY, Array, is_foreign, namespace
-from motes.directions import Geometry, Vector
+from motes.directions import LONGEST, Geometry, Vector
 from motes.errors import DataError, ParameterError
+from motes.kernels import engine, immediate
 from motes.models.albedo import directional_albedo
 from motes.models.components import Component, Reflecting
 from motes.models.lifting import averaged, broadcast, leading, lifted, matching
 from motes.models.lobes import Reflection
 from motes.models.standard import StandardLobe
 from motes.parameters import Place, part
-
-# Of a component of a direction; a unit vector has 1, and printed digits little more.
-LONGEST = 1.01
 
 
 class Sampled(NamedTuple):
@@ -123,13 +121,17 @@ class BRDF(Reflecting, ABC):
         >>> Lambert(K_d=(0.5, 0.25)).eval([0, 0, 1], [0, 0.6, 0.8]).round(4)
         array([0.1592, 0.0796])
         """
+        found = immediate.evaluate(self, wi, wo, below=engine.THRESHOLD)
+        if found is not None:
+            return found
         wi, wo, xp, shape = self._prepared(wi, wo)
         if xp is NUMPY:
-            from motes.kernels import engine
-
             # What counts is how many pairs there are once all shapes are broadcast: an outer product is small in each factor.
             if math.prod(shape) >= engine.THRESHOLD and engine.available():
                 return engine.evaluate(self, wi, wo)
+            found = immediate.evaluate(self, wi, wo)
+            if found is not None:
+                return found
         model = lifted(self, xp, wi)
         geometry = Geometry(xp, Vector.of(wi), Vector.of(wo))
         with np.errstate(all="ignore"):  # directions below the horizon are computed, then masked

@@ -1,0 +1,106 @@
+"""Printing a graph as NumPy calls that write into a few rows of memory, taken again as soon as nothing needs what they hold.
+
+Expressions over arrays make a new array for every operation.  Where arrays are of some thousand numbers, finding memory for them and fetching it
+from beyond the level-1 cache cost more than the arithmetic; here some fifteen rows serve a whole formula.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+from motes.graph.dependence import live
+from motes.graph.tracing import Symbol
+
+#: Functions of NumPy by operation; all but ``where`` can be told where to write.
+CALLS = {
+    "neg": "negative",
+    "add": "add",
+    "sub": "subtract",
+    "mul": "multiply",
+    "div": "divide",
+    "lt": "less",
+    "le": "less_equal",
+    "gt": "greater",
+    "ge": "greater_equal",
+    "sqrt": "sqrt",
+    "exp": "exp",
+    "expm1": "expm1",
+    "log1p": "log1p",
+    "asin": "arcsin",
+    "minimum": "minimum",
+    "maximum": "maximum",
+    "where": "where",
+}
+_TRUTHS = ("lt", "le", "gt", "ge")
+
+
+@dataclass(frozen=True)
+class Program:
+    """Statements, the text of each output, and how many rows of numbers ``r0, r1, ...`` and of truth values ``m0, ...`` they want."""
+
+    lines: tuple[str, ...]
+    results: tuple[str, ...]
+    numbers: int
+    truths: int
+
+
+class _Names:
+    """Names of a kind, the lowest free one first."""
+
+    def __init__(self, prefix: str) -> None:
+        self.prefix, self.count, self.free = prefix, 0, list[int]()
+
+    def take(self) -> str:
+        if self.free:
+            self.free.sort(reverse=True)
+            return f"{self.prefix}{self.free.pop()}"
+        self.count += 1
+        return f"{self.prefix}{self.count - 1}"
+
+    def give_back(self, name: str) -> None:
+        self.free.append(int(name[len(self.prefix) :]))
+
+
+def program(outputs: Sequence[Symbol], given: Mapping[Symbol, str], constant: Callable[[float | bool], str]) -> Program:
+    """The operations that `outputs` need, each a call.
+
+    Parameters
+    ----------
+    outputs
+        What to compute.
+    given
+        The text of the symbols that are there already, rows or numbers; they are not written to.
+    constant
+        The text of a number or a truth value.
+    """
+    order = [symbol for symbol in live(outputs, given) if symbol not in given]
+    last = {a: k for k, symbol in enumerate(order) for a in symbol.args}
+    last |= dict.fromkeys(outputs, len(order))
+    kinds = {"numbers": _Names("r"), "truths": _Names("m"), "chosen": _Names("w")}
+    text, lines = dict(given), list[str]()
+    held: dict[Symbol, _Names] = {}
+    for k, symbol in enumerate(order):
+        if symbol.op == "constant":
+            text[symbol] = constant(symbol.value)
+            continue
+        if symbol.op == "leaf":
+            raise KeyError(f"the leaf {symbol!r} was not given")
+        arguments = ", ".join(text[a] for a in symbol.args)
+        for a in dict.fromkeys(
+            symbol.args
+        ):  # a result may be written where an argument was: number by number, each is read first
+            if a in held and last[a] == k:
+                held.pop(a).give_back(text[a])
+        kind = kinds["truths" if symbol.op in _TRUTHS else "chosen" if symbol.op == "where" else "numbers"]
+        name = text[symbol] = kind.take()
+        held[symbol] = kind
+        call = CALLS[symbol.op]
+        if symbol.op == "where":
+            lines.append(f"{name} = where({arguments})")
+        else:
+            target = f"out={name}" if symbol.op in ("minimum", "maximum") else name
+            lines.append(f"{call}({arguments}, {target})")
+    return Program(
+        tuple(lines), tuple(text[symbol] for symbol in outputs), kinds["numbers"].count, kinds["truths"].count
+    )
