@@ -1,4 +1,4 @@
-"""The solver on its own: certified problems, bounds, and lanes that do not know of each other."""
+"""The solver on its own: bounds, and lanes that do not know of each other."""
 
 from __future__ import annotations
 
@@ -6,58 +6,17 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
-from fitting_nist import SETS, Dataset
+from fitting_nist import SETS, Dataset, normal_equations
 from motes.fitting.solver import Normal, minimize
 from motes.fitting.verdicts import Status
 
-# From NIST's far starting point these three run off to infinity, as they do for other Levenberg-Marquardt codes.
-NEAR_ONLY = {"MGH10", "MGH17", "BoxBOD"}
-
-
-def normal_equations(formula, x, y):
-    """Normal equations of ``formula(x, b) - y`` with derivatives by complex steps, exact to rounding."""
-
-    def normal(points):
-        def values(p):
-            return formula(x, [p[:, k, None] for k in range(p.shape[1])])
-
-        residual = values(points) - y
-        jacobian = np.empty((*residual.shape, points.shape[1]))
-        for k in range(points.shape[1]):
-            moved = points.astype(complex)
-            moved[:, k] += 1e-30j
-            jacobian[..., k] = values(moved).imag / 1e-30
-        return Normal(
-            0.5 * np.sum(residual**2, axis=1),
-            np.einsum("bn,bnk->bk", residual, jacobian),
-            np.einsum("bnk,bnl->bkl", jacobian, jacobian),
-        )
-
-    return normal
-
 
 def of(data: Dataset):
-    return normal_equations(data.formula, np.array(data.x), np.array(data.y))
+    return normal_equations(data.formula, data.x, data.y)
 
 
 def free(size: int):
     return np.full(size, -np.inf), np.full(size, np.inf)
-
-
-@pytest.mark.parametrize(
-    ("name", "start"), [(name, start) for name in SETS for start in (0, 1) if start == 1 or name not in NEAR_ONLY]
-)
-def test_certified_values_and_standard_errors(name: str, start: int) -> None:
-    data = SETS[name]
-    size = len(data.values)
-    with np.errstate(all="ignore"):
-        end = minimize(of(data), np.array([data.starts[start]]), *free(size), max_iterations=1000, reduction=1e-14)
-    assert end.status[0].ok
-    np.testing.assert_allclose(end.x[0], data.values, rtol=2e-7)
-    np.testing.assert_allclose(2 * end.normal.objective[0], data.squares, rtol=1e-9)
-    variance = data.squares / (len(data.x) - size)
-    errors = np.sqrt(variance * np.diag(np.linalg.inv(end.normal.matrix[0])))
-    np.testing.assert_allclose(errors, data.errors, rtol=5e-7)
 
 
 def rosenbrock(_, b):
