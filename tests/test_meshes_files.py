@@ -351,6 +351,20 @@ def test_gltf_keeps_its_normals_and_mirrors_faces(tmp_path: Path) -> None:
     np.testing.assert_allclose(np.cross(b - a, c - a), [0, 0, 2])  # looks to the same side as before
 
 
+@pytest.mark.parametrize("row", ["3 0.2 1.7 2", "3.0 0 1 2", "3 0 1e0 2", "4 0 1.5 2 1"])
+def test_fractions_are_no_vertices(tmp_path: Path, row: str) -> None:
+    """NumPy 1.26 reads 0.2 and 1.7 as the vertices 0 and 1 where it is asked for whole numbers."""
+    head = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+    path = tmp_path / "a.ply"
+    path.write_text(f"{head}property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n{row}\n")
+    with pytest.raises(FormatError, match="faces"):
+        read_mesh(path)
+    path = tmp_path / "a.obj"
+    path.write_text(f"v 0 0 0\nv 1 0 0\nv 0 1 0\nf {row}\n")
+    with pytest.raises(FormatError, match="line 4"):
+        read_mesh(path)
+
+
 def test_without_the_package_the_command_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(__import__("sys").modules, "trimesh", None)
     for name in ("a.stl", "a.glb"):

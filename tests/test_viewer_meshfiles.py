@@ -160,6 +160,27 @@ def test_hostile_files_end_in_a_sentence(read: Reader) -> None:
         assert expected in answer
 
 
+PLY_TEXT = (
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face {faces}\n"
+    "property uchar red\nproperty list uchar {type} vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n{rows}\n"
+)
+
+
+def test_faces_of_ply_name_whole_vertices(read: Reader) -> None:
+    """three's loader cuts fractions off: 0.2 and 1.7 would be the vertices 0 and 1."""
+    rows = ["9 3 0.2 1.7 2", "9 3.0 0 1 2", "9 3 0 1e0 2", "9 3 0 x 2", "9 4 0 1 2.5 3", "9 3 0 1"]
+    files = [("a.ply", PLY_TEXT.format(faces=2, type="int", rows=f"9 3 0 1 2\n{row}").encode()) for row in rows]
+    files += [("a.ply", PLY_TEXT.format(faces=1, type=kind, rows="9 3 0 1 2").encode()) for kind in ("float", "double")]
+    good = PLY_TEXT.format(faces=2, type="int", rows="9 3 0 1 2\n\n9  4 +0 1 2 3").encode()
+    *refused, read_well = read([*files, ("a.ply", good)])
+    for answer in refused[:5]:
+        assert "whose vertices are not whole numbers" in answer
+    assert "breaks off within the face" in refused[5]
+    for answer in refused[6:]:
+        assert "has faces whose vertices are fractions" in answer
+    assert read_well[1] == [0, 1, 2, 0, 1, 2, 0, 2, 3]
+
+
 def test_thousands_of_damaged_files_give_triangles_or_a_sentence(read: Reader) -> None:
     rng = np.random.default_rng(9)
     ply = (

@@ -106,6 +106,44 @@ function corner(word: string, points: number, directions: number, name: string, 
   return [vertex, resolve(n, directions)];
 }
 
+const CORNERS = ['vertex_indices', 'vertex_index'];
+
+/** The loader cuts fractions off: 0.2 and 1.7 would be vertices 0 and 1. */
+function wholeIndices(name: string, header: string, data: ArrayBuffer): void {
+  const elements: { name: string; count: number; properties: string[][] }[] = [];
+  for (const line of header.split(/\r\n|\r|\n/)) {
+    const words = line.trim().split(/\s+/);
+    if (words[0] === 'element') elements.push({ name: words[1] ?? '', count: Number(words[2]), properties: [] });
+    if (words[0] !== 'property') continue;
+    elements.at(-1)?.properties.push(words);
+    const types = words[1] === 'list' ? [words[2], CORNERS.includes(words[4] ?? '') ? words[3] : undefined] : [];
+    if (types.some((type) => type && /^(float|double)/.test(type))) throw new Problem(`${name} has faces whose vertices are fractions: ${quoted(line.trim())}`, 'Export it again');
+  }
+  if (!/^\s*format\s+ascii\b/m.test(header)) return;
+  const text = new TextDecoder('latin1').decode(data);
+  const lines = text.slice(text.indexOf('end_header') + 'end_header'.length).split(/\r\n|\r|\n/).filter((line) => line.trim());
+  let at = 0;
+  for (const element of elements) {
+    const own = lines.slice(at, (at += element.count));
+    if (element.name !== 'face') continue;
+    for (const line of own) {
+      const words = line.trim().split(/\s+/);
+      let k = 0;
+      for (const property of element.properties) {
+        if (property[1] !== 'list') {
+          k += 1;
+          continue;
+        }
+        const items = Number(words[k]);
+        const shown = CORNERS.includes(property[4] ?? '') ? words.slice(k, k + 1 + items) : [words[k]!];
+        if (words.length < k + 1 + items) throw new Problem(`${name} breaks off within the face ${quoted(line.trim())}`, 'The file is damaged; fetch it again');
+        if (!shown.every((word) => /^[+-]?\d+$/.test(word))) throw new Problem(`${name} has the face ${quoted(line.trim())}, whose vertices are not whole numbers`, 'Export it again');
+        k += 1 + items;
+      }
+    }
+  }
+}
+
 function ply(name: string, data: ArrayBuffer): Triangles {
   if (new TextDecoder('latin1').decode(data.slice(0, 3)) !== 'ply') throw new Problem(`${name} does not begin with "ply"`, 'Export it again');
   const header = new TextDecoder('latin1').decode(data.slice(0, HEADER)).split('end_header')[0]!;
@@ -113,6 +151,7 @@ function ply(name: string, data: ArrayBuffer): Triangles {
     // The loader believes it, and goes through as many rows.
     if (!(Number(count) <= data.byteLength)) throw new Problem(`${name} claims ${quoted(count)} of ${quoted(what)}, more than its ${data.byteLength} bytes hold`, 'The file is damaged');
   }
+  wholeIndices(name, header, data);
   const geometry = new PLYLoader().parse(data);
   const positions = geometry.getAttribute('position')?.array;
   const index = geometry.getIndex()?.array;

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import re
 from pathlib import Path
@@ -147,6 +148,8 @@ def _fan(polygon: NDArray[Any]) -> NDArray[np.int64]:
 
 
 _NONE = np.zeros((0, 3), np.int64)
+#: What whole numbers and the gaps between them are written with.
+_WHOLE = frozenset("0123456789+- \t")
 _FACE_LISTS = ("vertex_indices", "vertex_index")
 
 
@@ -185,10 +188,11 @@ def _ascii(path: Path, body: bytes, elements: list[Element], _: str) -> dict[str
 def _ascii_faces(path: Path, element: Element, lines: list[str]) -> NDArray[np.int32]:
     """Nearly all files have triangles alone, and nothing else in a face: read at once."""
     if len(element.properties) == 1 and next(iter(element.properties)) in _FACE_LISTS and lines:
-        try:
-            table = np.loadtxt(lines, np.int64, comments=None, ndmin=2)
-        except ValueError:  # polygons of several sizes, or a mistake
-            table = np.zeros((0, 0), np.int64)
+        table = np.zeros((0, 0), np.int64)
+        # Older versions of NumPy read 0.2 as the vertex 0, with a warning.
+        if set("".join(lines)) <= _WHOLE:
+            with contextlib.suppress(ValueError):  # polygons of several sizes, or a mistake
+                table = np.loadtxt(lines, np.int64, comments=None, ndmin=2)
         if table.shape == (len(lines), 4) and (table[:, 0] == 3).all():
             return _in_int32(path, table[:, 1:])
     return _as_triangles(path, [_ascii_polygon(element, line) for line in lines])
