@@ -157,7 +157,7 @@ def test_pictures_have_words(glossy):
 
 
 def test_text_in_charts_is_not_small():
-    style = (Path(motes.__file__).parent / "report" / "style.css").read_text(encoding="utf-8")
+    style = (Path(motes.__file__).parent / "drawing" / "panel.css").read_text(encoding="utf-8")
     sizes = [float(px) for px in re.findall(r"svg \.[\w, .]*\{[^}]*font-size: ([\d.]+)px", style)]
     assert len(sizes) >= 3
     assert min(sizes) >= 11

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes.drawing.colour import ColorOf, channels_to_srgb, data_uri, png, srgb_encode
+from motes.drawing.figure import panel_style
 from motes.drawing.markup import Html, tag
 from motes.material import Material
 from motes.report.findings import count
@@ -45,7 +46,7 @@ def document(title: str, *parts: object, style: str = "") -> str:
         tag("meta", http_equiv="Content-Security-Policy", content=POLICY),
         tag("meta", name="viewport", content="width=device-width, initial-scale=1"),
         tag("title", f"{title} · Motes"),
-        tag("style", Html(shared + style)),
+        tag("style", Html(panel_style() + shared + style)),
     )
     return "<!doctype html>\n" + tag("html", head, tag("body", tag("main", *parts)), lang="en") + "\n"
 
