@@ -231,7 +231,7 @@ class DustLayer(BRDF):
         once = equations.dust_layer(xp, self.base.formula(xp, geometry), self.dust.scattered_once(xp, geometry), depth)
         if self.scattering == SINGLE:
             return once
-        exchange = self._exchange(xp)
+        exchange = self.exchange(xp)
         total = once + exchange.formula(xp, geometry)
         for highlight, term in self._highlights(exchange):
             total = total + exchange.sharp(highlight, geometry) * term.formula(xp, geometry)
@@ -245,13 +245,19 @@ class DustLayer(BRDF):
         terms = (term for term in self.base.terms() if term.spread() is not None)
         return list(zip(exchange.highlights, terms, strict=True))
 
-    def _exchange(self, xp: Array) -> Exchange:
-        return Exchange(self.base.terms(), Diffused(xp, self.tau, self.dust.w, self.dust.g))
+    def exchange(self, xp: Array) -> Exchange:
+        """What the layer adds where light is scattered several times, and its numbers."""
+
+        def make() -> Exchange:
+            return Exchange(self.base.terms(), Diffused(xp, self.tau, self.dust.w, self.dust.g))
+
+        keep = getattr(xp, "keep", None)  # of namespaces whose numbers are known (`motes.rendering.beforehand`)
+        return make() if keep is None else keep(self, make)
 
     def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
         # Chances as if light left at 45 degrees.
         through = xp.exp(-equations.slant_depth(xp, cos_theta_i, 0.7, self.tau))
-        exchange, found = self._exchange(xp), []
+        exchange, found = self.exchange(xp), []
         highlights = {id(term): highlight for highlight, term in self._highlights(exchange)}
         for term in self.base.terms():
             highlight = highlights.get(id(term))
@@ -278,7 +284,7 @@ class DustLayer(BRDF):
         dust = self.dust.standard_lobes(xp, values.dust, cos_view)
         found = [lobe.scaled(through) for lobe in base] + [lobe.scaled(1 - through) for lobe in dust]
         if self.scattering == MULTIPLE:
-            exchange = values._exchange(xp)
+            exchange = values.exchange(xp)
             shares = [exchange.bent(highlight, MEAN_COSINE) for highlight in exchange.highlights]
             shares.append(exchange.importance(MEAN_COSINE))
             found += [StandardLobe(Reflection.DIFFUSE, share) for share in shares]

@@ -6,7 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, cast, final
 
-from motes import arrays, equations
+import numpy as np
+
+from motes import equations
 from motes.arrays import Array, Columns
 from motes.directions import HORIZON, Geometry, Vector
 from motes.errors import ParameterError
@@ -14,10 +16,9 @@ from motes.models import BRDF, Component, DustLayer
 from motes.models.components import Reflecting
 from motes.models.dust import MULTIPLE
 from motes.models.exchange import Exchange
-from motes.models.multiple_scattering import Diffused
-from motes.rendering.mixture import SMALLEST_COSINE, Mixture
+from motes.rendering.mixture import SMALLEST_COSINE, Mixture, columns, lift, lower
 from motes.rendering.surface_plugin import _describe, _kind, _spectrum
-from motes.rendering.textures import Values
+from motes.rendering.textures import Found, Values
 
 # What share of light a nested BSDF is taken to reflect when its chance of being sampled is computed.
 _ASSUMED_ALBEDO = 0.5
@@ -88,12 +89,12 @@ def layer_class(mi: Any) -> type:
             self.has_delta = bool(self.base.flags() & flags.Delta)
 
         def _layer(self, si: Any, active: Any) -> _Layer:
-            model, averaged = self.values.models(si, active)
+            found = self.values.models(si, active)
             albedo: Any = 0.0
-            if cast(DustLayer, model).scattering == MULTIPLE:
-                found = self.base.eval_diffuse_reflectance(si, active)
-                albedo = _spectrum(mi, dr.clip(mi.unpolarized_spectrum(found), 0.0, 1.0))
-            return _Layer(model, averaged, si.wi, albedo)
+            if cast(DustLayer, found.model).scattering == MULTIPLE:
+                told = self.base.eval_diffuse_reflectance(si, active)
+                albedo = dr.clip(mi.unpolarized_spectrum(told), 0.0, 1.0)
+            return _Layer(found, si.wi, albedo)
 
         def _enabled(self, context: Any) -> tuple[bool, bool]:
             """Whether the context asks for the base, and for the dust."""
@@ -118,7 +119,7 @@ def layer_class(mi: Any) -> type:
                     _spectrum(mi, dr.select(above, layer.scattered_again(wo) * wo.z, 0.0)) if layer.multiple else 0.0
                 )
                 pdf = pdf + dr.select(above, (1 - chance) * layer.pdf(wo), 0.0)
-            total = equations.dust_layer(layer.xp, value, own, layer.depth(wo))
+            total = layer.through(value, own, wo)
             return (total + again if dust and layer.multiple else total), pdf
 
         def _chance(self, layer: _Layer, context: Any, si: Any) -> Any:
@@ -128,6 +129,7 @@ def layer_class(mi: Any) -> type:
                 return mi.Float(1.0 if base else 0.0)
             return dr.select(si.wi.z > HORIZON, layer.chance, 1.0)
 
+        @np.errstate(all="ignore")
         def sample(self, context: Any, si: Any, sample1: Any, sample2: Any, active: Any = True) -> tuple[Any, Any]:
             base, dust = self._enabled(context)
             if not (base or dust):
@@ -152,12 +154,13 @@ def layer_class(mi: Any) -> type:
             result = dr.select(pdf > 0, value / dr.maximum(pdf, 1e-30), 0.0)
             if self.has_delta:
                 nothing = dr.zeros(mi.Spectrum)
-                through = equations.dust_layer(layer.xp, weight, nothing, layer.depth(bs.wo))
+                through = layer.through(weight, nothing, bs.wo)
                 result = dr.select(peak & alive, through / dr.maximum(chance, 1e-30), result)
                 pdf = dr.select(peak & alive, bs.pdf * chance, pdf)
             bs.pdf = pdf
             return bs, result
 
+        @np.errstate(all="ignore")
         def eval_pdf(self, context: Any, si: Any, wo: Any, active: Any = True) -> tuple[Any, Any]:
             layer = self._layer(si, active)
             value, pdf = self._value_and_pdf(layer, context, si, wo, active, self._chance(layer, context, si))
@@ -174,6 +177,9 @@ def layer_class(mi: Any) -> type:
             for name, texture in self.values.textures():
                 callback.put(name, texture, mi.ParamFlags.Differentiable)
 
+        def parameters_changed(self, keys: list[str]) -> None:
+            self.values.look()
+
         def to_string(self) -> str:
             return f"{_describe(self.values)[:-2]},\n  base = {self.base!s}\n]"
 
@@ -183,37 +189,39 @@ def layer_class(mi: Any) -> type:
 class _Layer:
     """The dust where rays meet the surface: how much it lets through, what it scatters, and where it is sampled."""
 
-    def __init__(self, model: BRDF, averaged: BRDF, wi: Any, albedo: Array) -> None:
+    def __init__(self, found: Found, wi: Any, albedo: Array) -> None:
         import drjit as dr
 
-        self.xp, self.model, self.wi = arrays.namespace(wi), cast(DustLayer, model), wi  # the template of this plugin
-        self.multiple, self._albedo = self.model.scattering == MULTIPLE, albedo
-        base, *dust = averaged.components(self.xp, self.xp.maximum(dr.detach(wi.z), SMALLEST_COSINE))
+        self.xp, self.model, self.wi = found.xp, cast(DustLayer, found.model), wi  # the template of this plugin
+        self.multiple, self._albedo = self.model.scattering == MULTIPLE, lift(self.xp, albedo)
+        base, *dust = found.averaged.components(
+            self.xp, self.xp.maximum(lift(self.xp, dr.detach(wi.z)), SMALLEST_COSINE)
+        )
         scattered: Array = 0.0
         for part in dust:
             scattered = scattered + part.importance
-        self.chance = base.importance / (base.importance + scattered)
-        self._sampler = Mixture(model, averaged, wi, range(1, 1 + len(dust)))
+        self.chance = lower(self.xp, base.importance / (base.importance + scattered))
+        self._sampler = Mixture(found, wi, range(1, 1 + len(dust)))
 
     def _geometry(self, wo: Any) -> Geometry:
-        return Geometry(self.xp, Vector(self.wi.x, self.wi.y, self.wi.z), Vector(wo.x, wo.y, wo.z))
+        return Geometry(self.xp, Vector(*columns(self.xp, self.wi)), Vector(*columns(self.xp, wo)))
 
-    def dust(self, wo: Any) -> Array:
+    def dust(self, wo: Any) -> Any:
         """The BRDF of the dust alone [1/sr]."""
-        return self.model.dust.formula(self.xp, self._geometry(wo))
+        return lower(self.xp, self.model.dust.formula(self.xp, self._geometry(wo)))
 
-    def scattered_again(self, wo: Any) -> Array:
+    def scattered_again(self, wo: Any) -> Any:
         """The BRDF of light scattered more than once, and of light between the dust and the nested BSDF [1/sr]."""
-        dust = self.model.dust
-        layer = Diffused(self.xp, self.model.tau, dust.w, dust.g)
-        return Exchange((_Lit(self._albedo),), layer).formula(self.xp, self._geometry(wo))
+        layer = self.model.exchange(self.xp).layer
+        return lower(self.xp, Exchange((_Lit(self._albedo),), layer).formula(self.xp, self._geometry(wo)))
 
-    def depth(self, wo: Any) -> Array:
-        """Optical thickness along the path; a direction below the surface does not cross the layer."""
-        geometry = self._geometry(wo)
-        side: Callable[[Array, Array], Array] = lambda z, cosine: self.xp.where(z > 0, cosine, float("inf"))  # noqa: E731
+    def through(self, below: Any, dust: Any, wo: Any) -> Any:
+        """What is seen of `below` and of `dust` without an end; a direction below the surface does not cross the layer."""
+        xp, geometry = self.xp, self._geometry(wo)
+        side: Callable[[Array, Array], Array] = lambda z, cosine: xp.where(lift(xp, z) > 0, cosine, float("inf"))  # noqa: E731
         cos_i, cos_r = side(self.wi.z, geometry.cos_theta_i), side(wo.z, geometry.cos_theta_r)
-        return equations.slant_depth(self.xp, cos_i, cos_r, self.model.tau)
+        depth = equations.slant_depth(xp, cos_i, cos_r, self.model.tau)
+        return lower(xp, equations.dust_layer(xp, lift(xp, below), lift(xp, dust), depth))
 
     def pdf(self, wo: Any) -> Array:
         """The density of `sample` [1/sr]."""

@@ -9,14 +9,30 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from motes import arrays
 from motes.arrays import Array, Columns
 from motes.directions import Geometry, Vector
-from motes.models import BRDF, Lobe
+from motes.models import Lobe
+from motes.rendering.beforehand import Numbers
+from motes.rendering.textures import Found
 
 # Where chances are computed: towards grazing those of a dust layer go to those of opaque dust.
 SMALLEST_COSINE = 1e-4
 _NOTHING = 1e-30  # so that a black surface has chances too
+
+
+def lift(xp: Any, x: Any) -> Array:
+    """A value of Dr.Jit in a namespace of `Found`."""
+    return xp.differing(x) if isinstance(xp, Numbers) else x
+
+
+def lower(xp: Any, x: Array) -> Any:
+    """A value of such a namespace in Dr.Jit."""
+    return xp.found(x) if isinstance(xp, Numbers) else x
+
+
+def columns(xp: Any, w: Any) -> Columns:
+    """A direction of Dr.Jit in such a namespace."""
+    return Columns(lift(xp, x) for x in (w.x, w.y, w.z))
 
 
 class Mixture:
@@ -24,22 +40,21 @@ class Mixture:
 
     Parameters
     ----------
-    model, averaged
-        With Dr.Jit values: per channel, and means over the channels without gradients.
+    found
+        The model with its values.
     wi
         Local direction (Vector3f) that is given when the other is sampled.
     enabled
         Positions of the parts to keep.
     """
 
-    def __init__(self, model: BRDF, averaged: BRDF, wi: Any, enabled: Sequence[int]) -> None:
+    def __init__(self, found: Found, wi: Any, enabled: Sequence[int]) -> None:
         import drjit as dr
 
-        self.xp = arrays.namespace(wi)
-        self.model, self.wi, self.enabled = model, wi, list(enabled)
-        self._fixed = Columns((wi.x, wi.y, wi.z))
-        cosine = self.xp.maximum(dr.detach(wi.z), SMALLEST_COSINE)
-        parts = averaged.components(self.xp, cosine)
+        self.xp, self.model, self.enabled = found.xp, found.model, list(enabled)
+        self._fixed = columns(self.xp, wi)
+        cosine = self.xp.maximum(lift(self.xp, dr.detach(wi.z)), SMALLEST_COSINE)
+        parts = found.averaged.components(self.xp, cosine)
         self._whole = len(self.enabled) == len(parts)
         total: Array = 0.0
         for k in self.enabled:
@@ -53,26 +68,26 @@ class Mixture:
 
     def value(self, wo: Any) -> Array:
         """The BRDF [1/sr] of the enabled parts; what it says below the horizon is meaningless."""
-        geometry = Geometry(self.xp, Vector(self.wi.x, self.wi.y, self.wi.z), Vector(wo.x, wo.y, wo.z))
+        geometry = Geometry(self.xp, Vector(*self._fixed), Vector(*columns(self.xp, wo)))
         if self._whole:
-            return self.model.formula(self.xp, geometry)
+            return lower(self.xp, self.model.formula(self.xp, geometry))
         parts = self.model.components(self.xp, 1.0)
         total: Array = 0.0
         for k in self.enabled:
             total = total + parts[k].formula(self.xp, geometry)
-        return total
+        return lower(self.xp, total)
 
     def pdf(self, wo: Any) -> Array:
         """The density of `sample` [1/sr]; what it says below the horizon is meaningless."""
-        chosen = Columns((wo.x, wo.y, wo.z))
+        chosen = columns(self.xp, wo)
         total: Array = 0.0
         for lobe, chance, _ in self._lobes:
             total = total + chance * lobe.pdf(self.xp, self._fixed, chosen)
-        return total
+        return lower(self.xp, total)
 
     def sample(self, which: Array, u: Any) -> tuple[Columns, Array]:
         """A direction, and which of the enabled parts it came from: ``which`` chooses the part, ``u`` the direction."""
-        xp, numbers = self.xp, Columns((u.x, u.y))
+        xp, numbers, which = self.xp, Columns(lift(self.xp, x) for x in (u.x, u.y)), lift(self.xp, which)
         start: Array = 0.0
         wo, part = None, 0
         for lobe, chance, position in self._lobes:
@@ -85,4 +100,4 @@ class Mixture:
                 part = xp.where(later, position, part)
             start = start + chance
         assert wo is not None
-        return wo, part
+        return Columns(lower(xp, x) for x in wo), lower(xp, part)

@@ -43,8 +43,9 @@ def surface_class(mi: Any) -> type:
         def _mixture(self, context: Any, si: Any, active: Any) -> Mixture | None:
             """The parts that the context asks for, or None."""
             enabled = [k for k, kind in enumerate(self.kinds) if context.is_enabled(kind, k)]
-            return Mixture(*self.values.models(si, active), si.wi, enabled) if enabled else None
+            return Mixture(self.values.models(si, active), si.wi, enabled) if enabled else None
 
+        @np.errstate(all="ignore")
         def sample(self, context: Any, si: Any, sample1: Any, sample2: Any, active: Any = True) -> tuple[Any, Any]:
             bs = dr.zeros(mi.BSDFSample3f)
             mixture = self._mixture(context, si, active)
@@ -61,6 +62,7 @@ def surface_class(mi: Any) -> type:
             weight = mixture.value(wo) * (wo.z / dr.maximum(pdf, 1e-30))
             return bs, _spectrum(mi, dr.select(active & (pdf > 0), weight, 0.0))
 
+        @np.errstate(all="ignore")
         def eval_pdf(self, context: Any, si: Any, wo: Any, active: Any = True) -> tuple[Any, Any]:
             mixture = self._mixture(context, si, active)
             if mixture is None:
@@ -78,6 +80,9 @@ def surface_class(mi: Any) -> type:
         def traverse(self, callback: Any) -> None:
             for name, texture in self.values.textures():
                 callback.put(name, texture, mi.ParamFlags.Differentiable)
+
+        def parameters_changed(self, keys: list[str]) -> None:
+            self.values.look()
 
         def to_string(self) -> str:
             return _describe(self.values)
@@ -113,6 +118,7 @@ def material_class(mi: Any, surface: type) -> type:
             callback.put("time", self.time, mi.ParamFlags.NonDifferentiable)
 
         def parameters_changed(self, keys: list[str]) -> None:
+            super().parameters_changed(keys)
             if any(key.split(".")[0] == "time" for key in keys):
                 hours = mi.traverse(self.time)["value"]
                 self.values.renew(self.material.at(float(np.asarray(hours).ravel()[0])))
@@ -145,7 +151,8 @@ def _chosen(dr: Any, part: Any, options: list[int]) -> Any:
 
 
 def _spectrum(mi: Any, value: Any) -> Any:
-    """Depolarised in polarised variants."""
+    """With all channels, and depolarised in polarised variants."""
+    value = mi.UnpolarizedSpectrum(value)
     return mi.mueller.depolarizer(value) if mi.is_polarized else value
 
 

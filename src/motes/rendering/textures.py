@@ -5,15 +5,17 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from motes import arrays
 from motes.arrays import Array
 from motes.errors import ParameterError
 from motes.models import BRDF
 from motes.parameters import Parameter, Slot
+from motes.rendering.beforehand import Numbers
 
 Path = tuple[str, ...]
 
@@ -25,6 +27,29 @@ class Value:
     slot: Slot
     texture: Any
     scale: float = 1.0
+    #: What it is everywhere, a float or an array of channels; None where it may differ from place to place.
+    uniform: Array | None = None
+
+    def look(self, mi: Any) -> None:
+        """Read `uniform` from the texture: once it is made, and whenever it was changed."""
+        name, per_channel = self.texture.class_name(), self.slot.parameter.per_channel
+        even = name.startswith("Uniform") or (name.startswith("SRGB") and not mi.is_spectral)
+        # In variants that do not compile there is nothing to compute beforehand.
+        leaf = dict(mi.traverse(self.texture)).get("value") if even and not mi.variant().startswith("scalar") else None
+        found = np.empty(0) if leaf is None else np.asarray(leaf, np.float64).ravel()
+        if found.size == 0 or found.size not in (1, len(mi.UnpolarizedSpectrum(0.0)) if per_channel else 1):
+            self.uniform = None
+            return
+        low, high = self._ends()
+        # NaN becomes the lower end, as below.
+        found = np.minimum(np.where(found * self.scale >= low, found * self.scale, low), high)
+        self.uniform = float(found[0]) if (found == found[0]).all() else found
+
+    def _ends(self) -> tuple[float, float]:
+        parameter = self.slot.parameter
+        low, high = parameter.bounds
+        hair = 1e-6 * (high - low) if parameter.open else 0.0
+        return low + hair, high - hair
 
     def at(self, dr: Any, si: Any, active: Any) -> Array:
         """The value where a ray meets the surface, kept within the declared bounds.
@@ -36,10 +61,27 @@ class Value:
         value = self.texture.eval(si, active) if parameter.per_channel else self.texture.eval_1(si, active)
         if self.scale != 1:
             value = value * self.scale
-        low, high = parameter.bounds
-        hair = 1e-6 * (high - low) if parameter.open else 0.0
-        value = dr.select(value >= low + hair, value, low + hair)
-        return dr.select(value <= high - hair, value, high - hair) if np.isfinite(high) else value
+        low, high = self._ends()
+        value = dr.select(value >= low, value, low)
+        return dr.select(value <= high, value, high) if np.isfinite(high) else value
+
+
+class Found(NamedTuple):
+    """A model with its values where rays meet a surface.
+
+    Attributes
+    ----------
+    xp
+        The namespace of its values.
+    model
+        A value per channel is one of Mitsuba's spectra, or an array of channels that is known.
+    averaged
+        The same, to decide where to sample: means over the channels, and nothing has a gradient.
+    """
+
+    xp: Any
+    model: BRDF
+    averaged: BRDF
 
 
 @dataclass
@@ -64,6 +106,8 @@ class Values:
     wavelengths: tuple[float, ...] = ()
     given: dict[Path, Value] = field(default_factory=dict)
     values: dict[Path, Value] = field(default_factory=dict)
+    #: The model where all parameters are uniform, with what was computed of it.
+    _uniform: Found | None = None
 
     def read_parameters(self, properties: Any, others: tuple[str, ...] = (), skip: tuple[Path, ...] = ()) -> None:
         """Take from a plugin's properties what is there, and the template's values for the rest.
@@ -82,6 +126,7 @@ class Values:
             )
         self.given = {slot.path: self._from(properties, slot) for slot in slots if slot.name in properties}
         self.values = {slot.path: self.given.get(slot.path) or self._constant(slot) for slot in slots}
+        self.look()
 
     def renew(self, template: BRDF) -> None:
         """Take the values of another template, but for what the scene gives itself."""
@@ -89,22 +134,45 @@ class Values:
         for slot in template.slots():
             if slot.path in self.values and slot.path not in self.given:
                 self.values[slot.path] = self._constant(slot)
+        self.look()
 
-    def models(self, si: Any, active: Any) -> tuple[BRDF, BRDF]:
-        """The model with its values where rays meet the surface, and once more to decide where to sample.
+    def look(self) -> None:
+        """Read anew what is uniform: after textures were changed."""
+        self._uniform = None
+        for value in self.values.values():
+            value.look(self.mi)
 
-        In the first a value per channel is one of Mitsuba's spectra.  In the second it is the mean over the channels, and
-        nothing has a gradient.
+    def models(self, si: Any, active: Any) -> Found:
+        """The model with its values where rays meet the surface.
+
+        What is uniform and has no gradient is known beforehand, and so is what is computed of it alone (`motes.rendering.beforehand`).
         """
         import drjit as dr
 
-        full: dict[Path, Array] = {}
-        mean: dict[Path, Array] = {}
-        for path, value in self.values.items():
-            found = value.at(dr, si, active)
-            full[path] = found
-            mean[path] = dr.detach(dr.mean(found) if value.slot.parameter.per_channel else found)
-        return _filled(self.template, full), _filled(self.template, mean)
+        found = {path: value.at(dr, si, active) for path, value in self.values.items()}
+        mean = {
+            path: dr.detach(dr.mean(value) if self.values[path].slot.parameter.per_channel else value)
+            for path, value in found.items()
+        }
+        if self.mi.variant().startswith("scalar"):
+            return Found(arrays.namespace(si.wi), _filled(self.template, found), _filled(self.template, mean))
+        # A function that is frozen finds the variables of textures, and would keep what was computed of them beforehand.
+        freezing = getattr(dr.JitFlag, "FreezingScope", None)
+        even = {} if freezing is not None and dr.flag(freezing) else self._even()
+        attached = {path for path in even if dr.grad_enabled(found[path])}
+        whole = len(even) == len(found) and not attached
+        if whole and self._uniform is not None:
+            return self._uniform
+        xp = Numbers(self.mi)
+        full = {p: xp.known(even[p]) if p in even and p not in attached else xp.differing(found[p]) for p in found}
+        rest = {p: xp.known(np.mean(even[p])) if p in even else xp.differing(mean[p]) for p in found}
+        result = Found(xp, _filled(self.template, full), _filled(self.template, rest))
+        if whole:
+            self._uniform = result
+        return result
+
+    def _even(self) -> dict[Path, Array]:
+        return {path: value.uniform for path, value in self.values.items() if value.uniform is not None}
 
     def textures(self) -> Iterator[tuple[str, Any]]:
         """Names and textures, for ``mitsuba.traverse``."""
