@@ -251,6 +251,33 @@ def test_more_light_out_than_in_is_said(scale: float, words: str, tmp_path: Path
     assert implausible(flat(tmp_path, f)) == ()
 
 
+@pytest.mark.parametrize("filler", [0.0, 9999.0, 1e7])
+def test_numbers_that_stand_for_no_reading_are_said_and_left_out_on_request(filler: float, tmp_path: Path) -> None:
+    angles = goniometer((15, 45), range(5, 70, 10), (0, 60, 120, 180))
+    f = evaluated(motes.OrenNayar(K_d=(0.8, 0.7, 0.6), sigma_d=0.3), angles, 0.01)
+    f[3 : 3 + (1 if filler else 4), 1] = filler
+    said = implausible(flat(tmp_path, f))
+    assert "of G" in said[0]
+    assert f"--read missing={filler:g}" in said[0].replace("10000000", "1e+07")
+    path = next(tmp_path.glob("*.csv"))
+    data = motes.read(path, missing=filler)
+    assert implausible(data) == ()
+    assert sum(data.masked.values()) == (1 if filler else 4)
+    K_d = motes.fit(data, "oren_nayar").parameters["K_d"].value
+    np.testing.assert_allclose(K_d, (0.8, 0.7, 0.6), rtol=0.02)
+
+
+@pytest.mark.parametrize("places", [2, 3])
+def test_rounded_zeros_and_sharp_highlights_are_no_stand_ins(places: int, tmp_path: Path) -> None:
+    angles = goniometer((15, 45), range(5, 70, 10), (0, 60, 120, 180))
+    dark = motes.OrenNayar(K_d=(0.03, 0.02, 0.02), sigma_d=0.3)
+    metal = motes.TorranceSparrow(K_s=0.5, sigma_s=0.05)
+    for model in (dark, metal):
+        f = np.broadcast_to(np.round(evaluated(model, angles, 0.01), places), (len(angles), 3))
+        said = implausible(flat(tmp_path, f))
+        assert not [s for s in said if "no reading" in s]
+
+
 def test_constant_and_repeated_columns_are_said(tmp_path: Path) -> None:
     angles = goniometer((15, 45), range(5, 70, 10), (0, 60, 120, 180))
     f = evaluated(motes.OrenNayar(K_d=(0.4, 0.3, 0.2), sigma_d=0.3), angles, 0.01)

@@ -7,7 +7,7 @@ export type Role = 'angle' | 'vector' | 'time' | 'scan' | 'weight' | 'wavelength
 
 export interface Column {
   role: Role;
-  /** Which angle or component; of a value brdf, brdf_cos or reflectance_factor. */
+  /** Which angle or component; of a value brdf, brdf_cos_r, brdf_cos_i or reflectance_factor. */
   name: string;
   /** A key of FACTORS, or '' where the name says none. */
   unit: string;
@@ -29,10 +29,11 @@ const NAMED = /^(?:(.*?)\s*\[\s*(.+?)\s*\]|(.*?):\s*(.+?))$/;
 const WORDS = tables.uncertainty;
 const CHANNELS: Groups = tables.channels;
 
-/** A name in lower case, with Greek letters spelt out. */
+/** A name in lower case, with Greek letters and plus-minus signs spelt out. */
 export function normal(name: string): string {
   const text = name.normalize('NFKC').replaceAll('\u2212', '-').replaceAll('\u00b5', '\u03bc').trim().toLowerCase();
-  return text.replace(/[θϑφϕλσδ]/g, (letter) => GREEK[letter]!);
+  const spelt = text.replace(/[θϑφϕλσδ]/g, (letter) => GREEK[letter]!);
+  return WORDS.signs.reduce((found, sign) => found.replaceAll(sign, ' uncertainty '), spelt).trim();
 }
 
 /** The letters and digits of a name. */
@@ -100,7 +101,7 @@ function splits(text: string): [string, string][] {
   for (const pattern of [/^(.+?)\s+in\s+(.+)$/, /^(.+?)\s*\/\s*(.+)$/, /^(.+)[\s_.,]+(\S+)$/, /^(.+?)(%|°)$/]) {
     const match = pattern.exec(text);
     const unit = match?.[2]!.replace(/^[ .]+|[ .]+$/g, '');
-    if (match && UNITS.has(unit!)) found.push([match[1]!, unit!]);
+    if (match && UNITS.has(unit!) && !['1', '-'].includes(match[2]!)) found.push([match[1]!, unit!]); // R.1 is the second column called R
   }
   return [...found, [text, '']];
 }

@@ -28,6 +28,8 @@ export interface Table {
 export const HORIZON = 1e-6;
 const LARGEST_ANGLE = 2 * Math.PI + 1e-6;
 const SHORTEST = 100;
+const PHASE = 'phase';
+const ROUNDED = (0.06 * Math.PI) / 180; // angles rounded to a tenth of a degree
 const SPHERICAL = ['theta_i', 'phi_i', 'theta_r', 'phi_r'] as const;
 const HALF = ['theta_h', 'theta_d', 'phi_d', 'phi_h'] as const;
 const VECTORS = ['wi_x', 'wi_y', 'wi_z', 'wo_x', 'wo_y', 'wo_z'] as const;
@@ -200,9 +202,10 @@ function belongs(name: string, table: Cells, roles: Roles, at: number): number {
 
 function directionsOf(name: string, table: Cells, roles: Roles, numbers: Numbers): [Vector, Vector][] {
   const has = (role: string): boolean => roles.angles.has(role);
-  const groups = [VECTORS, HALF, SPHERICAL].filter((group) => group.some(has));
-  if (groups.length !== 1) throw new Problem(`${name} gives directions in several ways: ${[...roles.angles.keys()].join(', ')}`, 'Leave one way out');
-  const needed = groups[0] === VECTORS ? VECTORS : groups[0] === HALF ? HALF.slice(0, 3) : ['theta_i', 'theta_r', 'phi_r'];
+  const groups = [VECTORS, HALF, [...SPHERICAL, PHASE]].filter((group) => group.some(has));
+  const byPhase = has(PHASE);
+  if (groups.length !== 1 || (byPhase && has('phi_r'))) throw new Problem(`${name} gives directions in several ways: ${[...roles.angles.keys()].join(', ')}`, 'Leave one way out');
+  const needed = groups[0] === VECTORS ? VECTORS : groups[0] === HALF ? HALF.slice(0, 3) : byPhase ? ['theta_i', 'theta_r'] : ['theta_i', 'theta_r', 'phi_r'];
   const missing = needed.filter((role) => !has(role));
   if (missing.length) throw new Problem(`${name} has no column ${missing.join(', ')}; it has ${table.header.slice(0, 12).join(', ')}`, 'Add them');
   const column_ = (role: string): { values: number[]; unit: string } => {
@@ -229,6 +232,18 @@ function directionsOf(name: string, table: Cells, roles: Roles, numbers: Numbers
     return table.rows.map((_, k) => fromHalf(thetaH[k]!, thetaD[k]!, phiD[k]!, phiH[k]!));
   }
   const [thetaI, phiI, thetaR, phiR] = SPHERICAL.map(angle) as [number[], number[], number[], number[]];
+  if (byPhase) {
+    const phase = angle(PHASE);
+    phase.forEach((own, k) => {
+      const [i, r] = [thetaI[k]!, thetaR[k]!];
+      if (own < Math.abs(i - r) - ROUNDED || own > i + r + ROUNDED || i < 0 || r < 0) {
+        throw new Problem(`${name}, line ${table.lines[k]}: a phase angle of ${((own * 180) / Math.PI).toPrecision(6)} degrees is outside what the two polar angles allow`, 'Check the row; polar angles beside a phase angle are not signed');
+      }
+      const sines = Math.sin(i) * Math.sin(r);
+      phiR[k] = phiI[k]! + (sines > 1e-12 ? Math.acos(Math.min(1, Math.max(-1, (Math.cos(own) - Math.cos(i) * Math.cos(r)) / sines))) : 0);
+    });
+    table.notes.push('The azimuth between light and viewer follows from the phase angle');
+  }
   if (!has('phi_i')) table.notes.push('phi_i is missing and taken as 0');
   if ([...thetaI, ...thetaR].some((theta) => theta < 0)) table.notes.push('Negative polar angles are taken for the opposite azimuth');
   return table.rows.map((_, k) => [spherical(thetaI[k]!, phiI[k]!), spherical(thetaR[k]!, phiR[k]!)]);
@@ -300,8 +315,12 @@ function valuesOf(name: string, table: Cells, roles: Roles, numbers: Numbers, pa
   });
   const kinds = roles.values.map((at) => roles.columns[at]!);
   if (kinds.some((c) => c.name === 'reflectance_factor')) table.notes.push('f_r = reflectance factor / pi');
-  if (kinds.some((c) => c.name === 'brdf_cos')) table.notes.push('f_r = cosine-corrected BRDF / cos(theta_r)');
-  const factors = pairs.map(([, wo]) => kinds.map((c) => (c.name === 'reflectance_factor' ? FACTORS[c.unit || '1']! / Math.PI : c.name === 'brdf_cos' ? (wo[2] > 0 ? 1 / wo[2] : NaN) : 1)));
+  if (kinds.some((c) => c.name === 'brdf_cos_r')) table.notes.push('f_r = cosine-corrected BRDF / cos(theta_r)');
+  if (kinds.some((c) => c.name === 'brdf_cos_i')) table.notes.push('f_r = BRDF times cos(theta_i) / cos(theta_i)');
+  const over = (cosine: number): number => (cosine > 0 ? 1 / cosine : NaN);
+  const factors = pairs.map(([wi, wo]) =>
+    kinds.map((c) => (c.name === 'reflectance_factor' ? FACTORS[c.unit || '1']! / Math.PI : c.name === 'brdf_cos_r' ? over(wo[2]) : c.name === 'brdf_cos_i' ? over(wi[2]) : 1)),
+  );
   return { values: factors.map((row, k) => row.map((factor, c) => columns[c]!.values[k]! * factor)), factors };
 }
 
@@ -367,7 +386,7 @@ function long(name: string, table: Cells, roles: Roles, numbers: Numbers, rows: 
     const order = [...new Set(labels)];
     const places = new Map(order.map((label, k) => [label, k]));
     which = labels.map((label) => places.get(label)!);
-    const columns = order.map((label) => known(name, label));
+    const columns = order.map((label) => known(name, /^\d+$/.test(label) && Number(label) < SHORTEST ? `channel ${label}` : label));
     if (columns.every((c) => c?.role === 'value')) ({ channels, wavelengths } = channelsOf(name, columns as Column[]));
     else channels = order;
   }

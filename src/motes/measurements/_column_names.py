@@ -41,7 +41,7 @@ class Column:
         ``angle``, ``vector``, ``time``, ``scan``, ``weight``, ``wavelength``, ``channel``, ``value``, ``uncertainty``, ``index``,
         ``remark``, ``ignore``.
     name
-        Which angle or component: ``theta_i``, ``wo_z``; of a value: ``brdf``, ``brdf_cos``, ``reflectance_factor``.
+        Which angle or component: ``theta_i``, ``wo_z``; of a value: ``brdf``, ``brdf_cos_r``, ``brdf_cos_i``, ``reflectance_factor``.
     unit
         A key of ``factors``, or "" where the name says none.
     channel
@@ -63,11 +63,13 @@ class Column:
 
 
 def normal(name: str) -> str:
-    """A name in lower case, with Greek letters spelt out."""
+    """A name in lower case, with Greek letters and plus-minus signs spelt out."""
     text = unicodedata.normalize("NFKC", name).replace("\u2212", "-").replace("\u00b5", "\u03bc").strip().lower()
     for letter, word in _GREEK.items():
         text = text.replace(letter, word)
-    return text
+    for sign in TABLES["uncertainty"]["signs"]:
+        text = text.replace(sign, " uncertainty ")
+    return text.strip()
 
 
 def key(name: str) -> str:
@@ -159,7 +161,9 @@ def _splits(text: str) -> list[tuple[str, str]]:
             found.append((match[1], match[2].strip()))
     for pattern in (r"(.+?)\s+in\s+(.+)", r"(.+?)\s*/\s*(.+)", r"(.+)[\s_.,]+(\S+)", r"(.+?)(%|°)"):
         match = re.fullmatch(pattern, text)
-        if match and match[2].strip(" .") in _units():
+        if (
+            match and match[2].strip(" .") in _units() and match[2] not in ("1", "-")
+        ):  # R.1 is the second column called R
             found.append((match[1], match[2].strip(" .")))
     return [*found, (text, "")]
 

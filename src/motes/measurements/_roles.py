@@ -339,7 +339,8 @@ def _words(roles: Roles, at: int) -> tuple[str, str]:
     if c.role == "value":
         quantity = {
             "brdf": "f_r [1/sr]",
-            "brdf_cos": "f_r cos(theta_r) [1/sr]",
+            "brdf_cos_r": "f_r cos(theta_r) [1/sr]",
+            "brdf_cos_i": "f_r cos(theta_i) [1/sr]",
             "reflectance_factor": f"pi f_r{' in %' if c.unit == '%' else ''}",
         }[c.name]
         if c.wavelength is not None:

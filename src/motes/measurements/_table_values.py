@@ -13,6 +13,7 @@ from motes.measurements import _column_names as names
 from motes.measurements._column_names import Column
 
 Floats = NDArray[np.float64]
+COSINES = {"brdf_cos_i": 2, "brdf_cos_r": 5}  # of wi and wo (N, 6)
 SHORTEST = 100.0  # nm; what is called shorter is in other units: no goniometer measures X-rays
 
 
@@ -47,10 +48,11 @@ def samples(
     pairs: Floats,
     hours: Floats,
     wavelength_unit: str | None,
+    missing: Floats,
     notes: list[str],
 ) -> Samples:
-    """The samples of a table whose directions are known."""
-    values, factors = _values(table, where, roles, numbers, pairs, notes)
+    """The samples of a table whose directions are known; values in `missing` (M,) stand for none."""
+    values, factors = _values(table, where, roles, numbers, pairs, missing, notes)
     uncertainties = _uncertainties(table, where, roles, numbers, values, factors, notes)
     wide = Samples(pairs, hours, np.arange(len(values)), values, uncertainties, [], None)
     for role in ("wavelength", "channel"):
@@ -67,26 +69,40 @@ def _column(roles: _roles.Roles, at: int) -> Column:
 
 
 def _values(
-    table: _cells.Cells, where: str, roles: _roles.Roles, numbers: _cells.Numbers, pairs: Floats, notes: list[str]
+    table: _cells.Cells,
+    where: str,
+    roles: _roles.Roles,
+    numbers: _cells.Numbers,
+    pairs: Floats,
+    missing: Floats,
+    notes: list[str],
 ) -> tuple[Floats, Floats]:
     """f_r (N, C) [1/sr], and what the numbers of the table were multiplied by."""
     values = _block(numbers, roles.values, table, where)
+    if len(missing):
+        stand_in = np.isin(values, missing)
+        values = np.where(stand_in, np.nan, values)
+        given = ", ".join(f"{x:g}" for x in missing)
+        notes.append(f"{int(stand_in.sum())} values that are {given} stand for no reading, as given by the caller")
     factors = np.ones_like(values)
     for k, at in enumerate(roles.values):
         column = _column(roles, at)
         if column.name == "reflectance_factor":
             factors[:, k] = names.FACTORS[column.unit or "1"] / np.pi
-        elif column.name == "brdf_cos":
+        elif column.name in COSINES:
+            cosine = pairs[:, COSINES[column.name]]
             with np.errstate(divide="ignore"):
-                factors[:, k] = np.where(pairs[:, 5] > 0, 1 / pairs[:, 5], np.nan)
+                factors[:, k] = np.where(cosine > 0, 1 / cosine, np.nan)
     kinds = {_column(roles, at).name for at in roles.values}
     if kinds == {"brdf"}:
         notes.insert(0, "f_r in 1/sr, as the table says")
         return values, factors
     if "reflectance_factor" in kinds:
         notes.insert(0, "f_r = reflectance factor / pi")
-    if "brdf_cos" in kinds:
+    if "brdf_cos_r" in kinds:
         notes.insert(0, "f_r = cosine-corrected BRDF / cos(theta_r)")
+    if "brdf_cos_i" in kinds:
+        notes.insert(0, "f_r = BRDF times cos(theta_i) / cos(theta_i)")
     return values * factors, factors
 
 
@@ -212,7 +228,10 @@ def _long(
             )
         order = list(dict.fromkeys(labels))
         which = np.array([order.index(label) for label in labels])
-        columns = [names.column(label) for label in order]
+        columns = [
+            names.column(f"channel {label}" if label.isdigit() and float(label) < SHORTEST else label)
+            for label in order
+        ]
         if all(c is not None and c.role == "value" for c in columns):
             channels, wavelengths = _channels([c for c in columns if c is not None], where, wavelength_unit)
         else:

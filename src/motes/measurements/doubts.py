@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes import directions
+from motes.measurements.fillers import fillers
 from motes.measurements.measurement import Measurement
 
 Floats = NDArray[np.float64]
@@ -25,7 +26,7 @@ BETTER = 0.25  # the turned azimuths must leave so much of the squared residuals
 def implausible(data: Measurement) -> tuple[str, ...]:
     """What is odd about a measurement, the most important first; empty when nothing is."""
     found: list[str] = []
-    for check in (_energy, _angles, _side, _wavelengths, _channels, _rows, _scans, _dark, _uncertainties):
+    for check in (fillers, _energy, _angles, _side, _wavelengths, _channels, _rows, _scans, _dark, _uncertainties):
         found += check(data)
     return tuple(found)
 

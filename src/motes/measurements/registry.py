@@ -311,6 +311,12 @@ def _detect(path: Path) -> Reader:
         raise FormatError(f"{path} is empty", "Fetch or copy the file again")
     if table.is_headerless(head):
         raise FormatError(f"{path} holds rows of numbers, and no line names its columns", table.HEADER)
+    if names := table.columns_without_directions(head):
+        shown = ", ".join(repr(name[:40]) for name in names[:12])
+        raise FormatError(
+            f"{path} looks like a table, and no column is a direction by its name; its columns are {shown}",
+            table.HEADER,
+        )
     raise FormatError(f"{path} is of no known format; it starts with {head[:24]!r}", formats)
 
 

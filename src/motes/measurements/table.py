@@ -9,7 +9,7 @@ what is in ``provenance["columns"]``.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +20,7 @@ from motes.errors import FormatError
 from motes.files import spreadsheet
 from motes.measurements import _cells, _common_directions, _roles, _table_values, policy
 from motes.measurements import _column_names as names
+from motes.measurements._strange_header import strange_header
 from motes.measurements._table_times import hours_of
 from motes.measurements.measurement import Measurement
 
@@ -27,6 +28,7 @@ NAME = "csv"
 SOURCE = "a table of the user's"
 LARGEST_ANGLE = 2 * np.pi + 1e-6
 HEADER = _cells.HEADER_HINT
+PHASE, ROUNDED = "phase", np.radians(0.06)  # angles rounded to a tenth of a degree
 SPHERICAL, HALF = ("theta_i", "phi_i", "theta_r", "phi_r"), ("theta_h", "theta_d", "phi_d", "phi_h")
 VECTORS = tuple(f"{w}_{axis}" for w in ("wi", "wo") for axis in "xyz")
 Floats = NDArray[np.float64]
@@ -52,6 +54,14 @@ def is_headerless(head: bytes) -> bool:
         return False
 
 
+def columns_without_directions(head: bytes) -> list[str]:
+    """What the columns of a text are called that is a table by its looks, and none of which is a direction by its name."""
+    try:
+        return strange_header(_cells.decoded(head, "")[0])
+    except FormatError:
+        return []
+
+
 def read_table(
     path: Path,
     *,
@@ -60,6 +70,7 @@ def read_table(
     angles: str | None = None,
     azimuth: str | None = None,
     wavelength_unit: str | None = None,
+    missing: float | Sequence[float] | None = None,
     theta_i_deg: float | None = None,
     phi_i_deg: float | None = None,
     theta_r_deg: float | None = None,
@@ -83,6 +94,8 @@ def read_table(
         where it counts from the side of the mirror direction, as in ASTM E2387.
     wavelength_unit
         ``"nm"``, ``"um"`` or ``"m"``: that of wavelengths whose names say none; nm otherwise.
+    missing
+        Numbers that stand for no reading where a value should be, as the table has them: ``9999``, ``(0, -1)``.
     theta_i_deg, phi_i_deg, theta_r_deg, phi_r_deg
         Angles that all rows share, in place of a column.
 
@@ -130,8 +143,20 @@ def read_table(
         raise FormatError(
             f"{where}, line {table.lines[int(np.argmax(bad))]}: the weight is missing or below 0", "Fill it in"
         )
-    samples = _table_values.samples(table, where, roles, numbers, pairs, hours, wavelength_unit, notes)
+    samples = _table_values.samples(
+        table, where, roles, numbers, pairs, hours, wavelength_unit, _fillers(missing), notes
+    )
     return _measured(path, table, roles, samples, weights, time_unit, notes)
+
+
+def _fillers(missing: float | Sequence[float] | None) -> Floats:
+    """What stands for no reading."""
+    try:
+        return np.atleast_1d(np.asarray([] if missing is None else missing, np.float64))
+    except (TypeError, ValueError):
+        raise FormatError(
+            f"missing = {missing!s:.40} is not a number or numbers", "Give --read missing=9999, or --read missing=0,-1"
+        ) from None
 
 
 def _measured(
@@ -223,8 +248,8 @@ class _Angles:
     def pairs(self, shared: Mapping[str, float], from_mirror: bool) -> Floats:
         """wi and wo (N, 6)."""
         found = set(self.roles.angles)
-        groups = [g for g in (VECTORS, HALF, SPHERICAL) if found & set(g) or (g is SPHERICAL and shared)]
-        if len(groups) > 1 or not groups:
+        groups = [g for g in (VECTORS, HALF, (*SPHERICAL, PHASE)) if found & set(g) or (PHASE in g and shared)]
+        if len(groups) != 1 or {PHASE, "phi_r"} <= found | set(shared):
             raise FormatError(
                 f"{self.where} gives directions in several ways: {', '.join(sorted(found) + list(shared))}",
                 "Leave one way out with --read column:NAME=ignore",
@@ -251,11 +276,15 @@ class _Angles:
         both = [name for name in shared if name in found]
         if both:
             raise FormatError(f"{self.where} has a column of {both[0]} already", f"Leave {both[0]}_deg out")
-        self._need(("theta_i", "theta_r", "phi_r"), shared)
+        by_phase = "phase" in found and "phi_r" not in found and "phi_r" not in shared
+        self._need(("theta_i", "theta_r", *(() if by_phase else ("phi_r",))), shared)
         angle = {
             name: self._angle(name) if name in found else np.full(n, np.radians(shared.get(name, 0.0)))
             for name in SPHERICAL
         }
+        if by_phase:
+            angle["phi_r"] = angle["phi_i"] + self._azimuth_of_phase(angle["theta_i"], angle["theta_r"])
+            self.notes.append("The azimuth between light and viewer follows from the phase angle")
         for name, degrees in shared.items():
             self.notes.append(f"{name} is {degrees:g} degrees for all rows, as given by the caller")
         if "phi_i" not in found and "phi_i" not in shared:
@@ -267,6 +296,25 @@ class _Angles:
         wi = directions.from_spherical(angle["theta_i"], angle["phi_i"])
         wo = directions.from_spherical(angle["theta_r"], angle["phi_r"] + (np.pi if from_mirror else 0.0))
         return np.concatenate([wi, wo], axis=1)
+
+    def _azimuth_of_phase(self, theta_i: Floats, theta_r: Floats) -> Floats:
+        """phi_r - phi_i >= 0 of the angle between light and viewer, as photometry of planets counts: which side is not known, and is all one to
+        what is isotropic."""
+        phase = self._angle("phase")
+        sines = np.abs(np.sin(theta_i) * np.sin(theta_r))
+        least, most = np.abs(theta_i - theta_r), theta_i + theta_r
+        bad = (phase < least - ROUNDED) | (phase > most + ROUNDED) | (theta_i < 0) | (theta_r < 0)
+        if bad.any():
+            i = int(np.argmax(bad))
+            between, given = np.degrees([least[i], most[i]]), np.degrees(phase[i])
+            raise FormatError(
+                f"{self.where}, line {self.table.lines[i]}: a phase angle of {given:g} degrees is outside {between[0]:g} to {between[1]:g}, "
+                "which the two polar angles allow",
+                "Check the row; polar angles beside a phase angle are not signed",
+            )
+        with np.errstate(divide="ignore", invalid="ignore"):
+            cosine = (np.cos(phase) - np.cos(theta_i) * np.cos(theta_r)) / sines
+        return np.where(sines > 1e-12, np.arccos(np.clip(cosine, -1.0, 1.0)), 0.0)
 
     def _need(self, needed: tuple[str, ...], shared: Mapping[str, float] = {}) -> None:
         missing = [name for name in needed if name not in self.roles.angles and name not in shared]
