@@ -1,8 +1,8 @@
 """Draw a square with a material of a MaterialX document, by MaterialX's own renderer; run under xvfb-run, not imported by the tests.
 
-    python materialx_render.py DOCUMENT.mtlx MATERIAL RESULT.npz
+    python materialx_render.py DOCUMENT.mtlx MATERIAL RESULT.npz [X,Y,Z]
 
-The square [-1, 1]^2 faces the camera at (0, 0, 3); the sun shines along (-0.3, -0.2, -1) with intensity 2.
+The square [-1, 1]^2 faces the camera at (0, 0, 3); the sun stands towards (0.3, 0.2, 1), or where it is told, with intensity 2.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ f 1/1/1 3/3/1 4/4/1
 """
 
 
-def main(path: Path, material: str, result: Path) -> None:
+def main(path: Path, material: str, result: Path, towards: tuple[float, ...] = (0.3, 0.2, 1.0)) -> None:
     library, document = mx.createDocument(), mx.createDocument()
     search = mx.getDefaultDataSearchPath()
     search.append(mx.FilePath(str(path.parent)))
@@ -38,7 +38,7 @@ def main(path: Path, material: str, result: Path) -> None:
     mx.readFromXmlFile(document, str(path))
     document.setDataLibrary(library)
     sun = document.addNode("directional_light", "sun", "lightshader")
-    sun.setInputValue("direction", mx.Vector3(-0.3, -0.2, -1.0).getNormalized())
+    sun.setInputValue("direction", mx.Vector3(*(-x for x in towards)).getNormalized())
     sun.setInputValue("color", mx.Color3(1, 1, 1))
     sun.setInputValue("intensity", 2.0)
 
@@ -71,4 +71,9 @@ def main(path: Path, material: str, result: Path) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]), sys.argv[2], Path(sys.argv[3]))
+    main(
+        Path(sys.argv[1]),
+        sys.argv[2],
+        Path(sys.argv[3]),
+        *(tuple(map(float, text.split(","))) for text in sys.argv[4:]),
+    )

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from motes.material import Material
     from motes.measurements import Measurement
 
-# The keys of motes.exports.TARGETS, which --help must not load; a test compares.
+# The keys of motes.exports.TARGETS and SURFACES, which --help must not load; a test compares.
 To = Literal[
     "glsl",
     "wgsl",
@@ -30,6 +30,7 @@ To = Literal[
     "klems",
     "tensortree",
     "zemax",
+    "openpbr",
 ]
 
 
@@ -57,14 +58,15 @@ def export(
         A material.json, a folder of motes fit, a preset or a model such as "oren_nayar(K_d=0.8)"; measured data, too, for bird and openmaterial, which
         write the samples as they are.
     to
-        The program or language.
+        The program or language. Of openpbr the program's own parameters are fitted to the material; the error is said, and a
+        picture shows it.
     output
         The file to write; a name made of the material's when not given. Some targets write further files beside it.
     as_model
         Another model to say the material with, such as "eon + ggx(fresnel=schlick)": its parameters are fitted over the hemisphere, and how far
         it is from the material's own is said.
     hours
-        The moment of a material that follows time, its first one when not given; a csv takes several, such as 0,1,2.5.
+        The moment of a material that follows time, its first one when not given; a csv and fitted parameters take several, such as 0,1,2.5.
     glsl_version
         Of GLSL: "300 es" (WebGL 2, the default) or 450.
     scalar
@@ -73,8 +75,8 @@ def export(
         Of klems: full (145 patches, the default), half (77) or quarter (41).
     """
     from motes.cli import console
-    from motes.exports import TARGETS
     from motes.exports import export as write
+    from motes.exports import target_named
     from motes.measurements import Measurement
 
     given = (("version", glsl_version), ("scalar", scalar), ("basis", basis))
@@ -84,11 +86,12 @@ def export(
         source, moments = _converted(source, as_model, moments), None
     done = write(source, to, output, hours=moments, **options)
     if common.json:
-        console.print_json({"to": to, "files": [str(file) for file in done.files], "notes": list(done.notes)})
+        facts = {"to": to, "files": [str(file) for file in done.files], "notes": list(done.notes)}
+        console.print_json({**facts, "fits": list(done.fits)} if done.fits else facts)
     elif not common.quiet:
         rows = [
             ("measurement" if isinstance(source, Measurement) else "material", source.name),
-            ("target", TARGETS[to].title),
+            ("target", target_named(to).title),
         ]
         rows += [("note", note) for note in done.notes]
         console.print_facts([*rows, *(("written", str(file)) for file in done.files)])
@@ -99,12 +102,12 @@ def _source(text: str, to: str, reading: Reading) -> Material | Measurement:
     """The material that a text names, or for targets that hold measured samples the data there."""
     from motes.cli import paths
     from motes.errors import DataError
-    from motes.exports import TARGETS
+    from motes.exports import target_named
     from motes.material import Material
     from motes.measurements import Measurement, read
     from motes.presets import given
 
-    if not TARGETS[to].measured:
+    if not target_named(to).measured:
         return paths.material_of(text)
     if isinstance(named := given(text), Material):
         return named

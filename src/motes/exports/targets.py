@@ -71,6 +71,13 @@ TARGETS: dict[str, Target] = {
     "tensortree": Target("Radiance: a tensor tree in XML", ".xml", "tensor_tree"),
     "zemax": Target("Zemax: a tabular BSDF about the mirror direction", ".bsdf", "zemax_table"),
 }
+#: Programs with a surface of their own, whose parameters are fitted: the kind of surface (of `motes.models`) besides.  Each holds several moments.
+SURFACES: dict[str, tuple[Target, str]] = {
+    "openpbr": (
+        Target("OpenPBR in MaterialX: its parameters, fitted", ".mtlx", "surface_nodes", over_time=True),
+        "OpenPBR",
+    ),
+}
 SHADERS = ("glsl", "wgsl", "hlsl", "osl", "c")
 
 
@@ -83,10 +90,13 @@ class Exported(NamedTuple):
         The first is the one that was asked for; the others lie beside it.
     notes
         What the target cannot express, and what was chosen: sentences that the files say, too.
+    fits
+        Of `SURFACES` the parameters and errors of each moment, as the JSON beside the file has them.
     """
 
     files: tuple[Path, ...]
     notes: tuple[str, ...]
+    fits: tuple[dict[str, Any], ...] = ()
 
 
 def export(
@@ -104,12 +114,12 @@ def export(
     material
         A `Material` or a BRDF; for ``"bird"`` and ``"openmaterial"`` also a `Measurement`, whose samples are written as they are.
     to
-        A key of `TARGETS`: ``"glsl"``, ``"materialx"``, ``"merl"`` ...
+        A key of `TARGETS`: ``"glsl"``, ``"materialx"``, ``"merl"`` ...; or of `SURFACES`: ``"openpbr"`` ..., whose parameters are fitted.
     path
         The file to write; a name made of the material's, in the current folder, when not given.
     hours
         The moment [h] of a material that follows time, its first one by default.  A table (``"csv"``) takes several; by default it has
-        eleven over the time that was observed.
+        eleven over the time that was observed.  A fitted surface takes several, too.
     **options
         ``version`` of GLSL (``"300 es"``, ``"450"``), ``scalar`` of C (``"double"``, ``"float"``), ``basis`` of klems (``"full"``,
         ``"half"``, ``"quarter"``).
@@ -131,9 +141,7 @@ def export(
     >>> "vec3 motes_eval(vec3 wi, vec3 wo)" in done.files[0].read_text()
     True
     """
-    if to not in TARGETS:
-        raise ParameterError(f"{to!r} is nothing that Motes exports to", f"It exports to {', '.join(TARGETS)}")
-    target = TARGETS[to]
+    target = target_named(to)
     unknown = [name for name in options if name not in target.options]
     if unknown:
         raise ParameterError(
@@ -142,12 +150,14 @@ def export(
         )
     if isinstance(material, Measurement):
         return _export_measurement(material, to, path, hours)
-    moments = _moments(material, target, hours)
+    moments = _moments(material, target, hours, several=to not in SURFACES)
     first = moments[0][1]
     file = Path(path) if path is not None else Path(f"{first.identifier}{target.suffix}")
     if file.is_dir():
         raise ParameterError(f"{file} is a folder", f"Name a file, such as {file / (first.identifier + target.suffix)}")
     module = importlib.import_module(f"motes.exports.{target.module}")
+    if to in SURFACES:
+        return _fitted(module, SURFACES[to][1], [what for _, what in moments], file)
     said = list(first.notes if len(moments) == 1 else first.origin)
     said += shader_limits(to, first) if to in SHADERS else module.limits(first)
     with together(file.parent) as staging:
@@ -161,11 +171,43 @@ def export(
     return Exported(tuple(file.parent / part.name for part in made), tuple(said))
 
 
+def target_named(to: str) -> Target:
+    """The target of that name; raises `ParameterError` when there is none."""
+    if to in TARGETS:
+        return TARGETS[to]
+    if to in SURFACES:
+        return SURFACES[to][0]
+    raise ParameterError(
+        f"{to!r} is nothing that Motes exports to", f"It exports to {', '.join([*TARGETS, *SURFACES])}"
+    )
+
+
+def _fitted(module: Any, kind: str, moments: Sequence[Subject], file: Path) -> Exported:
+    """Fit the surface of a program to each moment; beside its file lie the numbers with their errors, and a picture."""
+    from motes import models
+    from motes.exports import surface_files, surface_picture
+    from motes.exports.surface_fit import fit_surface
+
+    fits = [fit_surface(what, getattr(models, kind)) for what in moments]
+    beside = {
+        f"{file.stem}_fit.json": surface_files.record(fits),
+        f"{file.stem}_fit.svg": surface_picture.picture(fits),
+    }
+    with together(file.parent) as staging:
+        made = [module.write(fits, staging / file.name)]
+        made += [write_text(staging / name, text) for name, text in beside.items()]
+    return Exported(
+        tuple(file.parent / part.name for part in made),
+        tuple(surface_files.notes(fits)),
+        tuple(fit.record() for fit in fits),
+    )
+
+
 def _export_measurement(
     data: Measurement, to: str, path: str | os.PathLike[str] | None, hours: float | Sequence[float] | None
 ) -> Exported:
     """Write measured samples as they are."""
-    target = TARGETS[to]
+    target = target_named(to)
     if not target.measured:
         able = ", ".join(name for name, other in TARGETS.items() if other.measured)
         raise ParameterError(
@@ -183,12 +225,12 @@ def _export_measurement(
 
 
 def _moments(
-    material: Any, target: Target, hours: float | Sequence[float] | None
+    material: Any, target: Target, hours: float | Sequence[float] | None, *, several: bool
 ) -> list[tuple[float | None, Subject]]:
-    """The moments to export, with the material then."""
+    """The moments to export, with the material then; `several` unless others are asked for, where the target holds them."""
     asked = None if hours is None else [float(x) for x in np.atleast_1d(np.asarray(hours, float))]
     interval = getattr(material, "interval", None)
-    if target.over_time and interval is not None and asked is None:
+    if several and target.over_time and interval is not None and asked is None:
         asked = np.linspace(interval[0], interval[1], MOMENTS).tolist()
     if asked is None:
         return [(None, subject(material))]

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from motes.directions import above, from_spherical
 from motes.errors import MotesError
 from motes.fitting.front import fit
+from motes.fitting.losses import loss_named
 from motes.fitting.result import Fit
 from motes.measurements import Measurement
 from motes.models import BRDF, Lambert, describe, parse
@@ -35,11 +36,14 @@ class Conversion:
         The root mean square of what differs over the hemisphere (values times both cosines), relative to that of the source.
     albedo
         The largest difference of the directional albedos at the same angles, over channels.
+    seen
+        The root mean square of what differs in the cube roots of what a picture shows, relative to that of the source: about the eye's lightness.
     """
 
     brdf: BRDF
     relative_rms: float
     albedo: float
+    seen: float
 
     def said(self) -> str:
         """A sentence for people and for files."""
@@ -49,7 +53,7 @@ class Conversion:
         )
 
 
-def convert(model: BRDF | str, to: str) -> Conversion:
+def convert(model: BRDF | str, to: str, *, loss: str = "linear") -> Conversion:
     """The parameters of another model with which it reflects most nearly the same.
 
     Parameters
@@ -58,6 +62,8 @@ def convert(model: BRDF | str, to: str) -> Conversion:
         A BRDF, or its text with values: ``"oren_nayar(K_d=0.5, sigma_d=0.3)"``.
     to
         The text of the other: ``"eon + ggx(fresnel=schlick)"``; values given in it are held.
+    loss
+        What is made small, see `motes.fitting.losses`: ``"linear"`` for energy, ``"cube_root"`` for what the eye sees.
 
     Returns
     -------
@@ -80,6 +86,8 @@ def convert(model: BRDF | str, to: str) -> Conversion:
     if not source.reciprocal:
         raise MotesError(f"{describe(source)} is not reciprocal, so it is no BRDF", "Give dust form='brdf'")
     wi, wo, weights = _pairs(source)
+    if not loss_named(loss).is_linear:
+        weights = weights / wo[:, 2]  # the viewer's cosine once: by how much of a picture shows the surface from there
     values = source.eval(wi, wo)
     if not values.any():
         raise MotesError(f"{describe(source)} reflects nothing: there is nothing to convert", "Give it a colour")
@@ -87,11 +95,15 @@ def convert(model: BRDF | str, to: str) -> Conversion:
     data = Measurement.from_arrays(wi, wo, values, weights=weights, provenance=about)
     target = parse(to).model
     coloured = any(np.ndim(s.value) and s.parameter.shared_in_fit for s in source.slots())
-    strengths = tuple(slot.name for slot in target.slots(Role.HIGHLIGHT_STRENGTH)) if coloured else ()
-    found = fit(data, to, per_channel=strengths)
+    strengths = (
+        tuple(slot.name for slot in target.slots(Role.HIGHLIGHT_STRENGTH) if slot.parameter.per_channel)
+        if coloured
+        else ()
+    )
+    found = fit(data, to, loss=loss, per_channel=strengths)
     assert isinstance(found, Fit)  # one time
     brdf = found.material.brdf
-    return Conversion(brdf, _relative(brdf, source), _albedo(brdf, source))
+    return Conversion(brdf, _relative(brdf, source), _albedo(brdf, source), _seen(brdf, source))
 
 
 def _pairs(*models: BRDF) -> tuple[Floats, Floats, Floats]:
@@ -124,6 +136,14 @@ def _relative(brdf: BRDF, source: BRDF) -> float:
     seen = (weights * wi[:, 2] ** 2)[:, None]
     wanted = source.eval(wi, wo)
     return float(np.sqrt(np.sum(seen * (brdf.eval(wi, wo) - wanted) ** 2) / np.sum(seen * wanted**2)))
+
+
+def _seen(brdf: BRDF, source: BRDF) -> float:
+    """As `_relative`, of the cube roots of values times the light's cosine, over how much of a picture shows each direction."""
+    wi, wo, weights = _pairs(source, brdf)
+    shown, wanted = (np.cbrt(model.eval(wi, wo) * wi[:, 2:]) for model in (brdf, source))
+    part = (weights / wo[:, 2])[:, None]
+    return float(np.sqrt(np.sum(part * (shown - wanted) ** 2) / np.sum(part * wanted**2)))
 
 
 def _albedo(brdf: BRDF, source: BRDF) -> float:

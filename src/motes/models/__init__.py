@@ -21,6 +21,8 @@ from motes.models.dust import Dust, DustLayer
 from motes.models.coated_diffuse import CoatedDiffuse
 from motes.models.hapke import Hapke
 from motes.models.fresnel import Conductor, Dielectric, Fresnel, Schlick
+from motes.models.surfaces.openpbr import OpenPBR
+from motes.models.surfaces.program import Surface
 from motes.models.composition import Layer, layer_of, on_base
 from motes.models.expressions import describe, parse
 # isort: on
@@ -43,12 +45,14 @@ __all__ = [
     "Lambert",
     "Layer",
     "Lobe",
+    "OpenPBR",
     "OrenNayar",
     "Reflection",
     "Sampled",
     "Schlick",
     "StandardLobe",
     "Sum",
+    "Surface",
     "TorranceSparrow",
     "describe",
     "layer_of",

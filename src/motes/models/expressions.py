@@ -96,7 +96,7 @@ def _build(node: ast.AST, path: tuple[str, ...], fixed: set[tuple[str, ...]]) ->
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
         return Sum(_build(node.left, (*path, "a"), fixed), _build(node.right, (*path, "b"), fixed))
     call = node.func if isinstance(node, ast.Call) else node
-    classes = registered(Parametrised)
+    classes = registered(Parametrised, unlisted=True)
     if not isinstance(call, ast.Name) or call.id not in classes:
         word = call.id if isinstance(call, ast.Name) else ""
         raise ParameterError(f"{_quoted(node)} is not a model", _example(word, classes))

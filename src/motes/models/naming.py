@@ -22,15 +22,19 @@ from motes.parameters import Parametrised
 
 C = TypeVar("C", bound=Parametrised)
 _classes: dict[str, type[Parametrised]] = {}
+_unlisted: set[str] = set()
 
 
-def register(name: str) -> Callable[[type[C]], type[C]]:
+def register(name: str, *, listed: bool = True) -> Callable[[type[C]], type[C]]:
     """Make a class known by a name; a decorator above ``@dataclass``.
 
     Parameters
     ----------
     name
         Lower-case words joined by underscores.
+    listed
+        False for what texts and fits know but nobody is offered, such as the surfaces of other programs (`motes.models.surfaces`): no
+        slider, plugin or page of its own.
 
     Raises
     ------
@@ -63,6 +67,8 @@ def register(name: str) -> Callable[[type[C]], type[C]]:
                     "Declare it by parameter(...), option(...) or part(...) of motes.parameters",
                 )
         _classes[name] = cls
+        if not listed:
+            _unlisted.add(name)
         return cls
 
     return registering
@@ -71,11 +77,14 @@ def register(name: str) -> Callable[[type[C]], type[C]]:
 def unregister(name: str) -> None:
     """Forget a name; nothing happens where nobody has it."""
     _classes.pop(name, None)
+    _unlisted.discard(name)
 
 
-def registered(base: type[C]) -> dict[str, type[C]]:
-    """The classes that derive from `base`, by name, in the order in which they were registered."""
-    return {name: cls for name, cls in _classes.items() if issubclass(cls, base)}
+def registered(base: type[C], *, unlisted: bool = False) -> dict[str, type[C]]:
+    """The classes that derive from `base`, by name, in the order in which they were registered; with `unlisted`, those that are not offered, too."""
+    return {
+        name: cls for name, cls in _classes.items() if issubclass(cls, base) and (unlisted or name not in _unlisted)
+    }
 
 
 def name_of(cls: type[Parametrised]) -> str:
