@@ -1,4 +1,4 @@
-"""exp, expm1, log1p and asin of generated kernels: the errors that `motes.printing.elementary` states, and the edges of the domain."""
+"""exp, expm1, log, log1p, asin, sin and cos of generated kernels: the errors that `motes.printing.elementary` states, and the edges of the domain."""
 
 from __future__ import annotations
 
@@ -19,12 +19,15 @@ from motes.printing import elementary  # noqa: E402
 STATED = {
     "exp": 1.5,
     "expm1": 2.5,
+    "log": 1.5,
     "log1p": 1.5,
     "asin_near": 1.0,
     "asin": 3.0,
+    "sin": 1.5,
+    "cos": 1.5,
 }  # units in the last place, as in the table of the module
-EXACT = {"exp": mp.exp, "expm1": mp.expm1, "log1p": mp.log1p, "asin_near": mp.asin, "asin": mp.asin}
-WIDE = {"exp": np.exp, "expm1": np.expm1, "log1p": np.log1p, "asin_near": np.arcsin, "asin": np.arcsin}
+EXACT = {name: getattr(mp, name.removesuffix("_near")) for name in STATED}
+WIDE = {name: getattr(np, {"asin": "arcsin", "asin_near": "arcsin"}.get(name, name)) for name in STATED}
 LARGEST_EXP = {"float32": 88.72283, "float64": 709.782712893384}
 SMALLEST_POWER = {"float32": -126, "float64": -1022}
 
@@ -71,6 +74,13 @@ def arguments(name: str, scalar: str, n: int) -> NDArray[Any]:
     elif name == "log1p":
         parts = [rng.uniform(-0.999, 3, n), np.exp(rng.uniform(0, 80, n)), 10.0 ** rng.uniform(-6, -1, n) - 1]
         parts.append(2.0 ** np.arange(-20, 20) * np.sqrt(0.5) - 1)  # where the exponent changes
+    elif name == "log":
+        parts = [rng.uniform(0, 3, n), np.exp(rng.uniform(-80, 80, n)), 1 + 10.0 ** rng.uniform(-6, -1, n)]
+        parts.append(2.0 ** np.arange(-20, 20) * np.sqrt(0.5))  # where the exponent changes
+        return np.concatenate([*parts, np.exp(rng.uniform(np.log(tiny), 0, n))]).astype(scalar)
+    elif name in ("sin", "cos"):
+        parts = [rng.uniform(-6.3, 6.3, n)]
+        parts.append(np.arange(-8, 9) * (np.pi / 4))  # zeros, and the edges of range reduction
     else:
         end = 0.7072 if name == "asin_near" else 1.0
         parts = [rng.uniform(-end, end, n), end - 10.0 ** rng.uniform(-7, -1, n), np.array([end, -end])]
@@ -114,7 +124,7 @@ def test_errors_are_as_stated_against_many_digits(scalar: str, name: str) -> Non
 def test_nan_and_zero_pass(scalar: str, name: str) -> None:
     function = compiled(scalar)[name]
     assert np.isnan(function(np.array([np.nan]))).all()
-    assert function(np.zeros(9))[3] == (1.0 if name == "exp" else 0.0)
+    assert function(np.zeros(9))[3] == {"exp": 1.0, "cos": 1.0, "log": -np.inf}.get(name, 0.0)
 
 
 @scalars
@@ -134,6 +144,14 @@ def test_exp_far_out(scalar: str) -> None:
     assert (found[flushed] == 0).all()
     assert (found[x > edge + 0.51 * np.log(2)] > 0).all()
     np.testing.assert_allclose(found[found > 0], exact[found > 0], rtol=3 * np.finfo(scalar).eps)
+
+
+@scalars
+def test_log_outside_its_domain_is_nan_and_infinity_stays(scalar: str) -> None:
+    log = compiled(scalar)["log"]
+    assert np.isnan(log(np.array([-1.0, -1e-30, -np.inf]))).all()
+    assert log(np.array([np.inf]))[0] == np.inf
+    assert log(np.array([1.0]))[0] == 0.0
 
 
 @scalars

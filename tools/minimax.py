@@ -6,9 +6,11 @@ Each is the polynomial P of a given degree with the smallest largest |weight(x) 
 
 - exp(r) = 1 + r + r^2 P(r) on |r| <= ln(2)/2, the weight that of a relative error of exp(r) - 1, so that expm1 can share it;
 - asin(x) = x + x^3 P(x^2) on 0 <= x <= 0.7072, a relative error of asin(x);
+- sin(x) = x + x^3 P(x^2) and cos(x) = 1 - x^2/2 + x^4 P(x^2) on 0 <= x <= pi/4, relative errors of sin(x) and cos(x);
 - 1/sqrt(pi) - a exp(a^2) erfc(a) = P(t), t = (a - 2)/(a + 2), on 0 <= a <= 6, weighted by the exp(-a^2) that multiplies it in Beckmann's masking.
 
-ln(2) is split in two numbers, the first short enough that its product with any exponent is exact.
+ln(2) is split in two numbers, the first short enough that its product with any exponent is exact, and pi/2 in more,
+all but the last of which have products with small numbers that are.
 """
 
 from __future__ import annotations
@@ -67,6 +69,13 @@ def main() -> None:
         x = mp.sqrt(z)
         return (mp.asin(x) - x) / (x * z)
 
+    def sin_tail(z: mp.mpf) -> mp.mpf:
+        x = mp.sqrt(z)
+        return (mp.sin(x) - x) / (x * z)
+
+    def cos_tail(z: mp.mpf) -> mp.mpf:
+        return (mp.cos(mp.sqrt(z)) - 1 + z / 2) / (z * z)
+
     def slope(t: mp.mpf) -> mp.mpf:
         return 2 * (1 + t) / (1 - t)
 
@@ -74,7 +83,7 @@ def main() -> None:
         a = slope(t)
         return 1 / mp.sqrt(mp.pi) - a * mp.exp(a * a) * mp.erfc(a)
 
-    half = mp.log(2) / 2
+    half, eighth = mp.log(2) / 2, (mp.pi / 4) ** 2
     fits = (
         ("EXP", exp_tail, lambda r: r * r / abs(mp.expm1(r)), -half, half, {np.float32: 4, np.float64: 9}),
         (
@@ -85,6 +94,15 @@ def main() -> None:
             mp.mpf("0.7072") ** 2,
             {np.float32: 6, np.float64: 17},
         ),
+        (
+            "SIN",
+            sin_tail,
+            lambda z: z ** mp.mpf(1.5) / mp.sin(mp.sqrt(z)),
+            0,
+            eighth,
+            {np.float32: 2, np.float64: 5},
+        ),
+        ("COS", cos_tail, lambda z: z * z / mp.cos(mp.sqrt(z)), 0, eighth, {np.float32: 2, np.float64: 5}),
         ("MASKED", masked, lambda t: mp.exp(-(slope(t) ** 2)), -1, 0.5, {np.float64: 14}),
     )
     for name, F, weight, a, b, degrees in fits:
@@ -97,6 +115,13 @@ def main() -> None:
     for scalar, places in ((np.float32, 14), (np.float64, 32)):
         high = mp.floor(mp.log(2) * 2**places) / 2**places
         print(f"# ln(2), {scalar.__name__}:\n    {scalar(float(high))!r}, {scalar(mp.nstr(mp.log(2) - high, 25))!r}")
+    for scalar, cuts in ((np.float32, (11, 22, 33)), (np.float64, (33, 66))):
+        rest, parts = mp.pi / 2, []
+        for places in cuts:
+            part = mp.floor(rest * 2**places) / 2**places
+            parts.append(scalar(float(part)))
+            rest -= part
+        print(f"# pi/2, {scalar.__name__}:\n    {(*parts, scalar(mp.nstr(rest, 25)))!r}")
 
 
 if __name__ == "__main__":

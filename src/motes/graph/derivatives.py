@@ -31,6 +31,12 @@ def _through(symbol: Symbol, k: int, t: Symbol) -> Symbol | None:
         return t / graph.maximum(graph.sqrt((1 - a) * (1 + a)), _LEAST_ROOT)
     if op == "log1p":
         return t / (1 + a)
+    if op == "log":
+        return t / a
+    if op == "sin":
+        return t * graph.cos(a)
+    if op == "cos":
+        return -(t * graph.sin(a))
     if op == "cbrt":
         return t / (3 * graph.maximum(symbol * symbol, _LEAST_ROOT))
     if op in ("minimum", "maximum"):  # one-sided at a tie: the first argument

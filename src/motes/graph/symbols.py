@@ -11,12 +11,12 @@ gives NaN, through the terms that are not multiplied by a constant 0.  No other 
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 
-from motes.arrays import NUMPY, Array
+from motes.arrays import NUMPY, Array, Columns
 
 INFIX: dict[str, Callable[[Any, Any], Any]] = {
     "add": operator.add,
@@ -28,7 +28,7 @@ INFIX: dict[str, Callable[[Any, Any], Any]] = {
     "gt": operator.gt,
     "ge": operator.ge,
 }
-FUNCTIONS = ("sqrt", "exp", "expm1", "asin", "log1p", "cbrt", "minimum", "maximum", "where")
+FUNCTIONS = ("sqrt", "exp", "expm1", "asin", "log1p", "cbrt", "sin", "cos", "log", "minimum", "maximum", "where")
 _COMMUTATIVE = frozenset({"add", "mul", "minimum", "maximum"})
 
 
@@ -128,6 +128,19 @@ class Graph:
     def cbrt(self, x: Array) -> Symbol:
         """For the losses of fits (`motes.fitting.losses`): no model needs it, and no shading language prints it."""
         return self.apply("cbrt", x)
+
+    def sin(self, x: Array) -> Symbol:
+        """For sampling, as are the next three: no formula of a model needs them, and no shading language prints them."""
+        return self.apply("sin", x)
+
+    def cos(self, x: Array) -> Symbol:
+        return self.apply("cos", x)
+
+    def log(self, x: Array) -> Symbol:
+        return self.apply("log", x)
+
+    def stack(self, parts: Sequence[Array]) -> Columns:
+        return Columns(self.lift(x) for x in parts)
 
     def minimum(self, a: Array, b: Array) -> Symbol:
         return self.apply("minimum", a, b)

@@ -23,6 +23,7 @@ __all__ = [
     "DIRECTIONS",
     "FUNCTIONS",
     "INFIX",
+    "MEAN",
     "PARAMETERS",
     "Graph",
     "Symbol",
@@ -42,14 +43,21 @@ __all__ = [
     "trace",
 ]
 
+#: In the place of a channel: the mean over all of them, with which samples are chosen.
+MEAN = -1
+
 
 @dataclass(frozen=True)
 class TracedParameter:
-    """A parameter of a traced model: the name of its slot, the channel it belongs to (None: all of them), its leaf."""
+    """A parameter of a traced model: the name of its slot, the channel it belongs to (None: all of them; `MEAN`), its leaf."""
 
     slot: str
     channel: int | None
     symbol: Symbol
+
+    def of(self, value: Any) -> Any:
+        """From the value of a slot with the channels on its last axis what the leaf stands for."""
+        return np.mean(value, axis=-1) if self.channel == MEAN else value[..., self.channel or 0]
 
 
 @dataclass(frozen=True)
@@ -59,11 +67,11 @@ class Trace:
     Attributes
     ----------
     directions
-        Six leaves: the components of ``wi``, then of ``wo``.
+        Six leaves: the components of ``wi``, then of ``wo``; of a sample five, with two random numbers in the place of ``wo``.
     parameters
         The leaves of the parameters, in the order of the model's slots.
     outputs
-        The value of each channel.
+        The value of each channel; or the density; or, of a sample, the components of ``wo``, the density, and the weight of each channel.
     """
 
     graph: Graph

@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from motes.errors import DataError
 from motes.graph import tracing
+from motes.graph.recording import Kind, recorded
 from motes.kernels import numba as numba_code
 from motes.kernels import numpy as numpy_code
 from motes.kernels.jobs import CHUNK, Array, Job, address, place, target_of
@@ -34,14 +35,28 @@ __all__ = [
     "address",
     "available",
     "cache_folder",
+    "call",
+    "density",
     "evaluate",
     "module",
     "on_compile",
+    "sample",
+    "serves",
+    "threshold",
     "vjp",
 ]
 
+#: The printer of each kind of kernel, and what it is a trace of.
+_PRINTERS = {
+    "evaluation": (numba_code.evaluation, Kind.VALUE),
+    "gradient": (numba_code.gradient, Kind.VALUE),
+    "density": (numba_code.evaluation, Kind.DENSITY),
+    "sampling": (numba_code.sampling, Kind.SAMPLE),
+}
 #: Below this number of directions NumPy is fast enough, and there is nothing to compile.
 THRESHOLD = 100_000
+#: The same of samples and their densities, in thresholds of values: what NumPy does with them it does as fast, and compiling takes up to twice as long.
+SAMPLES = 5
 #: Called with a sentence before a kernel is compiled, which takes some seconds and is done once.
 on_compile: Callable[[str], None] | None = None
 
@@ -56,6 +71,16 @@ def available() -> bool:
     except Exception:  # an installation of Numba that does not fit its Python or NumPy fails in many ways
         return False
     return not numba.config.DISABLE_JIT
+
+
+def threshold(kind: Kind) -> int:
+    """From how many directions on it is worth compiling."""
+    return THRESHOLD if kind is Kind.VALUE else SAMPLES * THRESHOLD
+
+
+def serves(kind: Kind, model: Parametrised) -> bool:
+    """Whether kernels can be compiled here, and the formulas of a model be recorded."""
+    return available() and recorded(kind, model, int(model.channels)) is not None  # type: ignore[attr-defined]
 
 
 def evaluate(model: Parametrised, wi: ArrayLike, wo: ArrayLike, out: Array | None = None) -> Array:
@@ -100,6 +125,57 @@ def evaluate(model: Parametrised, wi: ArrayLike, wo: ArrayLike, out: Array | Non
     if not np.may_share_memory(out, target):
         out[...] = target.reshape(shape)
     return out
+
+
+def density(model: Parametrised, wi: ArrayLike, wo: ArrayLike) -> Array:
+    """The density with which samples are chosen [1/sr], as ``model.pdf`` gives it; inputs as for `evaluate`, an array (...) out."""
+    job = Job(model, wi, wo)
+    found = np.empty(job.count, job.scalar)
+    if job.count:
+        kernel = _kernel("density", job)
+        constants, varying = kernel.constants(job.uniform), job.rows(kernel.varying)
+        others = (address(constants), address(varying), job.count, address(found), 1, job.count)
+
+        def work(chunk: int, room: int) -> None:
+            for wi, wo, first, last in job.pieces(chunk):
+                kernel.driver(*wi, *wo, *others, room, first, last)
+
+        job.run(work)
+    return found.reshape(job.shape)
+
+
+def sample(model: Parametrised, wi: ArrayLike, u: ArrayLike) -> tuple[Array, Array, Array]:
+    """Directions ``wo`` (..., 3), their density (...) and weights (..., C), as ``model.sample`` gives them.
+
+    Parameters
+    ----------
+    model
+        As for `evaluate`.
+    wi
+        Unit vectors (..., 3).
+    u
+        Random numbers (..., 2) in [0, 1) that broadcast against them; both float32: computed in float32.
+    """
+    job = Job(model, wi, u, second=("u", 2), more=4)
+    wo, chances, weights = job.room(3), np.empty(job.count, job.scalar), job.room(job.channels)
+    if job.count:
+        kernel = _kernel("sampling", job)
+        constants, varying = kernel.constants(job.uniform), job.rows(kernel.varying)
+        others = (address(constants), address(varying), job.count, *place(wo), address(chances), *place(weights))
+
+        def work(chunk: int, room: int) -> None:
+            for wi, u, first, last in job.pieces(chunk):
+                kernel.driver(*wi, *u, *others, room, first, last)
+
+        job.run(work)
+    return wo.reshape((*job.shape, 3)), chances.reshape(job.shape), weights.reshape((*job.shape, job.channels))
+
+
+def call(kind: Kind, model: Parametrised, a: Array, b: Array) -> list[Array]:
+    """`evaluate`, `density` or `sample`."""
+    if kind is Kind.SAMPLE:
+        return list(sample(model, a, b))
+    return [density(model, a, b) if kind is Kind.DENSITY else evaluate(model, a, b)]
 
 
 def vjp(model: Parametrised, wi: ArrayLike, wo: ArrayLike, upstream: ArrayLike) -> dict[str, Array]:
@@ -201,8 +277,11 @@ def _kernel(kind: str, job: Job) -> _Kernel:
 
 
 def _made(kind: str, job: Job) -> _Kernel:
-    trace = tracing.trace(job.model, job.channels)
-    printed = getattr(numba_code, kind)(trace, job.varying, job.scalar.name)
+    printer, what = _PRINTERS[kind]
+    trace = recorded(what, job.model, job.channels) or tracing.trace(
+        job.model, job.channels
+    )  # which says what is wrong
+    printed = printer(trace, job.varying, job.scalar.name)
     uniform = tuple(p for p in trace.parameters if p.slot not in job.varying)
     names = {p.symbol: f"p{k}" for k, p in enumerate(uniform)}
     seeds = {symbol: trace.graph.leaf(f"total[{k}]") for k, symbol in enumerate(printed.totals)}

@@ -20,10 +20,11 @@ from numpy.typing import NDArray
 from motes.arrays import is_foreign
 from motes.directions import HORIZON, LONGEST
 from motes.graph import tracing
+from motes.graph.recording import Kind, recorded
 from motes.kernels.straight_line import Formula
 from motes.parameters import Parametrised
 
-__all__ = ["evaluate"]
+__all__ = ["call"]
 
 Array = NDArray[Any]
 #: Up to so many directions one at a time is quicker.
@@ -35,58 +36,49 @@ CHANNELS = 64
 _SCALARS = (np.dtype(np.float32), np.dtype(np.float64))
 
 
-def evaluate(model: Parametrised, wi: Any, wo: Any, below: float = math.inf) -> Array | None:
-    """The BRDF of a model at some directions, as ``model.eval`` gives it; None for what this way does not serve.
+def call(kind: Kind, model: Parametrised, a: Any, b: Any, below: float = math.inf) -> list[Array] | None:
+    """What ``model.eval``, ``model.pdf`` and ``model.sample`` give at some directions; None for what this way does not serve.
 
     That is: tensors, parameters with a value for every direction, formulas that cannot be recorded, and everything that is to be refused.
 
     Parameters
     ----------
+    kind
+        What of the model.
     model
         A BRDF.
-    wi, wo
-        Unit vectors (..., 3) that broadcast.
+    a, b
+        Unit vectors ``wi, wo`` (..., 3) that broadcast; for samples ``wi`` and random numbers (..., 2).
     below
         So many directions are not served either.
 
     Returns
     -------
-    array (..., C), or None
+    list of arrays, or None
+        The value (..., C); or the density (...); or, of samples, ``wo`` (..., 3), the density (...) and the weight (..., C).
     """
-    if type(wi) is not np.ndarray or type(wo) is not np.ndarray:
+    if type(a) is not np.ndarray or type(b) is not np.ndarray:
         return None
-    ready = _ready(model)
-    if ready is None or wi.shape[-1:] != (3,) or wo.shape[-1:] != (3,):
+    ready = _ready(kind, model)
+    if ready is None or a.shape[-1:] != (3,) or b.shape[-1:] != (ready.second,):
         return None
-    if wi.dtype not in _SCALARS or wo.dtype not in _SCALARS:
+    if a.dtype not in _SCALARS or b.dtype not in _SCALARS:
         return None
-    if wi.shape != wo.shape:
+    shape = a.shape[:-1]
+    if shape != b.shape[:-1]:
         try:
-            wi, wo = np.broadcast_arrays(wi, wo)
+            shape = np.broadcast_shapes(shape, b.shape[:-1])
         except ValueError:
             return None
-    scalar = wi.dtype if wi.dtype == wo.dtype else _SCALARS[1]
-    shape = wi.shape[:-1]
-    count = wi.size // 3
+        a, b = np.broadcast_to(a, (*shape, 3)), np.broadcast_to(b, (*shape, ready.second))
+    count = math.prod(shape)
     if count >= below:
         return None
-    out = np.empty((count, ready.channels), scalar)
+    scalar = a.dtype if a.dtype == b.dtype else _SCALARS[1]
     with np.errstate(all="ignore"):  # directions below the horizon are computed, then masked
-        fits = ready.each(wi, wo, out) if count <= FEW else ready.blocks(wi, wo, out)
-    return out.reshape(*shape, ready.channels) if fits else None
-
-
-# ---------------------------------------------------------------- what is recorded once for a structure, and computed once for a model
-
-
-def _recorded(model: Parametrised, channels: int) -> Formula | None:
-    """The formula of a model, with a look at the horizon and without; None where symbols cannot follow it."""
-    try:
-        trace = tracing.trace(model, channels)
-    except Exception:  # a formula of somebody's own may do anything
-        return None
-    above = [_above_horizon(symbol) for symbol in trace.outputs]
-    return Formula(trace.directions, trace.parameters, (trace.outputs, above))
+        work = ready.each if count <= FEW else ready.blocks
+        found = work(a.reshape(-1, 3), b.reshape(-1, ready.second), scalar)
+    return found and [x.reshape(shape + x.shape[1:]) for x in found]
 
 
 def _above_horizon(value: tracing.Symbol) -> tracing.Symbol:
@@ -98,25 +90,30 @@ def _above_horizon(value: tracing.Symbol) -> tracing.Symbol:
 
 
 class _Ready:
-    """A model with its structure and the values of what depends on parameters alone."""
+    """A model with its recorded formula and the values of what depends on parameters alone."""
 
-    def __init__(self, model: Parametrised) -> None:
-        self.channels = int(model.channels)  # type: ignore[attr-defined]
+    def __init__(self, kind: Kind, model: Parametrised) -> None:
+        channels = int(model.channels)  # type: ignore[attr-defined]
         slots = {slot.name: slot for slot in model.slots()}
-        if self.channels > CHANNELS or any(is_foreign(slot.value) for slot in slots.values()):
+        if channels > CHANNELS or any(is_foreign(slot.value) for slot in slots.values()):
             raise ValueError("not served")
         if any(np.ndim(slot.value) > slot.parameter.per_channel for slot in slots.values()):
             raise ValueError("a value for every direction")
-        key = tracing.key(model, self.channels)
+        key = (kind, tracing.key(model, channels))
         if key not in _formulas:
-            _formulas[key] = _recorded(model, self.channels)
-        found = _formulas[key]
-        if found is None:
-            raise ValueError("a formula that cannot be recorded")
-        self._formula = found
-        values = (np.float64(np.ravel(slots[p.slot].value)[p.channel or 0]) for p in found.parameters)
+            trace = recorded(kind, model, channels)
+            if trace is None:
+                raise ValueError("a formula that cannot be recorded")
+            above = [_above_horizon(symbol) for symbol in trace.outputs]
+            _formulas[key] = Formula(trace.directions, trace.parameters, (trace.outputs, above))
+        self._formula = _formulas[key]
+        self._sampling = kind is Kind.SAMPLE
+        self.second = 2 if self._sampling else 3
+        self._widths = {Kind.VALUE: (channels,), Kind.DENSITY: (0,), Kind.SAMPLE: (3, 0, channels)}[kind]
         with np.errstate(all="ignore"):
-            self._values = found.constants(*values)
+            self._values = self._formula.constants(
+                *(np.float64(p.of(np.ravel(slots[p.slot].value))) for p in self._formula.parameters)
+            )
         self._constants: dict[Any, list[Any]] = {}
 
     def constants(self, scalar: np.dtype[Any], rows: bool) -> list[Any]:
@@ -128,38 +125,44 @@ class _Ready:
             self._constants[scalar, rows] = found
         return found
 
-    def each(self, wi: Array, wo: Array, out: Array) -> bool:
-        """One direction at a time; False where a component is that of no unit vector."""
-        kind = out.dtype
-        function, constants = self._formula.of_scalars(kind), self.constants(kind, rows=False)
-        for w, i, o in zip(out, wi.reshape(-1, 3), wo.reshape(-1, 3), strict=True):
-            pair = [*i, *o] if i.dtype == o.dtype else [kind.type(x) for x in (*i, *o)]
+    def each(self, a: Array, b: Array, scalar: np.dtype[Any]) -> list[Array] | None:
+        """One direction at a time; None where a component is that of no unit vector."""
+        function, constants = self._formula.of_scalars(scalar), self.constants(scalar, rows=False)
+        found = np.empty((len(a), sum(max(1, n) for n in self._widths)), scalar)
+        for results, first, second in zip(found, a, b, strict=True):
+            pair = [*first, *second]
+            if a.dtype != b.dtype:
+                pair = [scalar.type(x) for x in pair]
             for x in pair:
-                if x > LONGEST or x < -LONGEST:
-                    return False
-            w[:] = function(*pair, *constants)
-        return True
+                if x > LONGEST or x < -LONGEST:  # random numbers, which are below 1, may be looked at too
+                    return None
+            results[:] = function(*pair, *constants)
+        if len(self._widths) == 1:
+            return [found if self._widths[0] else found[:, 0]]
+        return [found[:, :3], found[:, 3], found[:, 4:]]
 
-    def blocks(self, wi: Array, wo: Array, out: Array) -> bool:
+    def blocks(self, a: Array, b: Array, scalar: np.dtype[Any]) -> list[Array] | None:
         """The same for many directions, some at a time."""
-        kind, count = out.dtype, len(out)
-        wi, wo = wi.reshape(-1, 3), wo.reshape(-1, 3)
-        pairs = np.empty((6, min(count, BLOCK)), kind)
-        constants = self.constants(kind, rows=True)
+        count = len(a)
+        inputs = np.empty((3 + self.second, min(count, BLOCK)), scalar)
+        found = [np.empty((count, n) if n else count, scalar) for n in self._widths]
+        columns = [column for x in found for column in (x.T if x.ndim > 1 else [x])]
+        constants = self.constants(scalar, rows=True)
         rooms: dict[bool, tuple[Array, Array]] = {}
         for start in range(0, count, BLOCK):
             end = min(count, start + BLOCK)
-            rows = pairs[:, : end - start]
-            rows[:3], rows[3:] = wi[start:end].T, wo[start:end].T
+            rows = inputs[:, : end - start]
+            rows[:3], rows[3:] = a[start:end].T, b[start:end].T
             if not _fits(rows):
-                return False
-            above = bool(rows[2::3].min() > HORIZON)
-            function, numbers, truths = self._formula.of_rows(kind, above)
+                return None
+            above = not self._sampling and bool(rows[2::3].min() > HORIZON)
+            function, numbers, truths = self._formula.of_rows(scalar, above)
             if above not in rooms:
-                rooms[above] = np.empty((numbers, pairs.shape[1]), kind), np.empty((truths, pairs.shape[1]), np.bool_)
+                size = inputs.shape[1]
+                rooms[above] = np.empty((numbers, size), scalar), np.empty((truths, size), np.bool_)
             room = (x[:, : end - start] for x in rooms[above])
-            function(*room, [out[start:end, c] for c in range(out.shape[1])], *rows, *constants)
-        return True
+            function(*room, [column[start:end] for column in columns], *rows, *constants)
+        return found
 
 
 def _fits(rows: Array) -> bool:
@@ -167,23 +170,23 @@ def _fits(rows: Array) -> bool:
     return bool(max(rows.max(), -rows.min()) <= LONGEST) or not (np.abs(rows) > LONGEST).any()
 
 
-_formulas: dict[Any, Formula | None] = {}
+_formulas: dict[Any, Formula] = {}
 # By identity: models are equal by value, which takes long to find out; and they are immutable.  An entry goes with its model.
-_models: dict[int, tuple[weakref.ref[Parametrised], _Ready | None]] = {}
+_models: dict[int, tuple[weakref.ref[Parametrised], dict[Kind, _Ready | None]]] = {}
 
 
-def _ready(model: Parametrised) -> _Ready | None:
+def _ready(kind: Kind, model: Parametrised) -> _Ready | None:
     """What is known of a model, or None where this way does not serve it."""
     number = id(model)
     known = _models.get(number)
-    if known is not None and known[0]() is model:
-        return known[1]
-    try:
-        ready: _Ready | None = _Ready(model)
-    except (TypeError, ValueError):  # also where a field is nothing that can be looked up by
-        ready = None
-    _models[number] = (weakref.ref(model, partial(_forget, number)), ready)
-    return ready
+    if known is None or known[0]() is not model:
+        known = _models[number] = (weakref.ref(model, partial(_forget, number)), {})
+    if kind not in known[1]:
+        try:
+            known[1][kind] = _Ready(kind, model)
+        except (TypeError, ValueError):  # also where a field is nothing that can be looked up by
+            known[1][kind] = None
+    return known[1][kind]
 
 
 def _forget(number: int, _: object) -> None:

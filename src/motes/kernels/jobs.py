@@ -43,8 +43,8 @@ class _Rows(NamedTuple):
 
     @classmethod
     def of(cls, w: Array, shape: tuple[int, ...]) -> _Rows:
-        """Of an array of `shape` and 3 components, or of one (N, 3) with as many directions."""
-        w = w.reshape(*shape, 3)  # a view: it is one already, or (N, 3) in even steps
+        """Of an array of `shape` and some components, or of one (N, 3) with as many directions."""
+        w = w.reshape(*shape, w.shape[-1])  # a view: it is one already, or (N, 3) in even steps
         axes = zip(shape[-2::-1], w.strides[-3::-1], strict=True)
         return cls(address(w), tuple(axes), shape[-1], w.strides[-2], w.strides[-1], w.itemsize)
 
@@ -58,17 +58,26 @@ class _Rows(NamedTuple):
 
 
 class Job:
-    """Checked inputs of a call: directions (..., 3) that are broadcast, parameters as uniform numbers or values that vary."""
+    """Checked inputs of a call: directions (..., 3) that are broadcast, parameters as uniform numbers or values that vary.
 
-    def __init__(self, model: Parametrised, wi: ArrayLike, wo: ArrayLike) -> None:
+    In the place of ``wo`` there may be something else: `second` says its name and the length of its last axis.  Besides the channels a
+    call has `more` results.
+    """
+
+    def __init__(
+        self, model: Parametrised, wi: ArrayLike, wo: ArrayLike, second: tuple[str, int] = ("wo", 3), more: int = 0
+    ) -> None:
         self.model = model
         wi, wo = np.asarray(wi), np.asarray(wo)
-        for name, w in (("wi", wi), ("wo", wo)):
-            if w.ndim == 0 or w.shape[-1] != 3:
-                raise DataError(f"{name} has shape {w.shape}: the last axis must have length 3", "Pass arrays (..., 3)")
+        for (name, n), w in ((("wi", 3), wi), (second, wo)):
+            if w.ndim == 0 or w.shape[-1] != n:
+                raise DataError(
+                    f"{name} has shape {w.shape}: the last axis must have length {n}", f"Pass arrays (..., {n})"
+                )
         single = all(w.dtype.kind == "f" and w.dtype.itemsize == 4 for w in (wi, wo))
         self.scalar = np.dtype(np.float32 if single else np.float64)
         self.channels = int(model.channels)  # type: ignore[attr-defined]
+        self._items = (wi.shape[-1] + wo.shape[-1] + more + self.channels) * TILE
         self.slots = {slot.name: slot for slot in model.slots()}
         batches = {name: _batch(slot) for name, slot in self.slots.items()}
         try:
@@ -89,9 +98,9 @@ class Job:
         w = w.astype(self.scalar, copy=False)
         if not w.flags.aligned:
             w = w.copy()
-        w = np.broadcast_to(w, (*self.shape, 3))
+        w = np.broadcast_to(w, (*self.shape, w.shape[-1]))
         whole = w.ndim <= 2 or _even(w) or (self.shape[-1] < LONG and self._slab > CHUNK)
-        return w.reshape(-1, 3) if whole else w
+        return w.reshape(-1, w.shape[-1]) if whole else w
 
     @property
     def _slab(self) -> int:
@@ -107,7 +116,7 @@ class Job:
         length, slab = self.shape[-1], self._slab
         if length < LONG:
             begin, end = first // slab, -(-last // slab)
-            copies = [w if w.ndim == 2 else w[begin:end].reshape(-1, 3) for w in (self.wi, self.wo)]
+            copies = [w if w.ndim == 2 else w[begin:end].reshape(-1, w.shape[-1]) for w in (self.wi, self.wo)]
             starts = [0 if w.ndim == 2 else begin * slab for w in (self.wi, self.wo)]
             moved = [_moved(w, start) for w, start in zip(copies, starts, strict=True)]
             yield Piece(moved[0], moved[1], first, last)
@@ -123,10 +132,14 @@ class Job:
     def _rows(self) -> tuple[_Rows, _Rows]:
         return _Rows.of(self.wi, self.shape), _Rows.of(self.wo, self.shape)
 
+    def room(self, lanes: int) -> Array:
+        """A new array (N, lanes): the transposed view of a (lanes, N) array where the directions are of that kind."""
+        rows = any(w.strides[0] == w.itemsize for w in (self.wi, self.wo)) and len(self.shape) == 1
+        return np.empty((lanes, self.count), self.scalar).T if rows else np.empty((self.count, lanes), self.scalar)
+
     def uniform(self, parameter: TracedParameter) -> float:
         """The value of a parameter that all directions share."""
-        value = np.ravel(self.slots[parameter.slot].value)
-        return float(value[parameter.channel or 0])
+        return float(parameter.of(np.ravel(self.slots[parameter.slot].value)))
 
     def rows(self, parameters: Sequence[TracedParameter]) -> Array:
         """The values of varying parameters, a row each."""
@@ -134,7 +147,7 @@ class Job:
         for row, parameter in zip(rows, parameters, strict=True):
             slot = self.slots[parameter.slot]
             value = np.asarray(slot.value)
-            value = value[..., parameter.channel or 0] if slot.parameter.per_channel else value
+            value = parameter.of(value) if slot.parameter.per_channel else value
             row.reshape(self.shape)[...] = value
         return rows
 
@@ -155,9 +168,8 @@ class Job:
 
     def run(self, work: Callable[[int, int], None]) -> None:
         """Call ``work(chunk, room)`` for every chunk, on all cores; `room` is the address of scratch memory."""
-        items = (6 + self.channels) * TILE
         workers.spread(
-            self.chunks, lambda chunk, room: work(chunk, address(room)), lambda: np.empty(items, self.scalar)
+            self.chunks, lambda chunk, room: work(chunk, address(room)), lambda: np.empty(self._items, self.scalar)
         )
 
 
@@ -187,10 +199,7 @@ def target_of(out: Array | None, shape: tuple[int, ...], job: Job) -> Array:
         flat = out.reshape(job.count, job.channels)
         if np.may_share_memory(out, flat):  # not a copy
             return flat
-    rows = any(w.strides[0] == w.itemsize for w in (job.wi, job.wo)) and len(job.shape) == 1
-    return (
-        np.empty((job.channels, job.count), job.scalar).T if rows else np.empty((job.count, job.channels), job.scalar)
-    )
+    return job.room(job.channels)
 
 
 def address(x: Array) -> int:

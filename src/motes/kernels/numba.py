@@ -23,8 +23,12 @@ _TEMPLATES = ARITHMETIC | {
     "expm1": "expm1({0})",
     "log1p": "log1p({0})",
     "asin": "asin({0})",
+    "sin": "sin({0})",
+    "cos": "cos({0})",
+    "log": "log({0})",
     "where": "select({0}, {1}, {2})",
 }
+ELEMENTARY = ("exp", "expm1", "log", "log1p", "asin", "asin_near", "sin", "cos")
 # Minima and maxima: one instruction, which keeps a NaN of `a` and drops one of `b`; and one that keeps either (see `motes.graph.nan`).
 _EXTREMA = {
     "minimum": ("select({a} > {b}, {b}, {a})", "select(({a} < {b}) | ({a} != {a}), {a}, {b})"),
@@ -115,6 +119,24 @@ def gradient(
         span(i, i_row, o, o_row, constants, varying + ITEM * start, row, f, f_row, slopes + ITEM * start, totals, count)
 """
 
+# `u` are two random numbers; what is sampled is brought from rows into three arrays.
+_SAMPLE = """
+@numba.njit("void({signature})", cache=True, nogil=True, **options)
+def sample(
+    wi, wi_step, wi_stride, u, u_step, u_stride, constants, varying, row, wo, wo_step, wo_stride, density, weight, weight_step, weight_stride,
+    room, first, last,
+):
+    f = room + 5 * ITEM * TILE
+    for start in range(first, last, TILE):
+        count = min(TILE, last - start)
+        i, i_row = columns(3, wi + ITEM * start * wi_step, wi_step, wi_stride, room, count)
+        o, o_row = columns(2, u + ITEM * start * u_step, u_step, u_stride, room + 3 * ITEM * TILE, count)
+        span(i, i_row, o, o_row, constants, varying + ITEM * start, row, f, TILE, count)
+        scatter(3, f, wo + ITEM * start * wo_step, wo_step, wo_stride, count)
+        scatter(1, f + 3 * ITEM * TILE, density + ITEM * start, 1, 1, count)
+        scatter({channels}, f + 4 * ITEM * TILE, weight + ITEM * start * weight_step, weight_step, weight_stride, count)
+"""
+
 
 @dataclass(frozen=True)
 class Kernel:
@@ -140,7 +162,7 @@ class Kernel:
 
 
 def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
-    """The kernel that evaluates a model.
+    """The kernel that evaluates a model, or the density of its samples.
 
     Parameters
     ----------
@@ -151,6 +173,23 @@ def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     scalar
         ``"float32"`` or ``"float64"``.
     """
+    span, constants, rows = _forward(trace, varying)
+    driver = _EVALUATE.format(signature=_signature(15), channels=len(trace.outputs))
+    return Kernel(
+        _module(trace, "Evaluates a reflectance model", scalar, span, driver), "evaluate", tuple(constants), tuple(rows)
+    )
+
+
+def sampling(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
+    """The kernel that chooses directions; its trace is that of a sample, and the rest as for `evaluation`."""
+    span, constants, rows = _forward(trace, varying)
+    driver = _SAMPLE.format(signature=_signature(19), channels=len(trace.outputs) - 4)
+    text = _module(trace, "Samples a reflectance model", scalar, span, driver)
+    return Kernel(text, "sample", tuple(constants), tuple(rows))
+
+
+def _forward(trace: Trace, varying: Collection[str]) -> tuple[str, list[Symbol], list[TracedParameter]]:
+    """The loop that stores the outputs of a trace in rows ``f``, the constants it wants, and the parameters that vary."""
     rows, leaves = _leaves(trace, varying)
     outputs = _without_division(trace.outputs, leaves)
     constants = tracing.frontier(outputs, tracing.dependence(outputs, leaves), PARAMETERS)
@@ -159,11 +198,7 @@ def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     lanes = len(results)
     body = [*_loads(trace, lanes, given, rows), *lines]
     body += [f'store(F, f, {_row("f_row", c)}n, {result}, "span", {c}, {lanes})' for c, result in enumerate(results)]
-    span = _span("i, i_row, o, o_row, constants, varying, row, f, f_row, count", loads, body)
-    driver = _EVALUATE.format(signature=_signature(15), channels=lanes)
-    return Kernel(
-        _module(trace, "Evaluates a reflectance model", scalar, span, driver), "evaluate", tuple(constants), tuple(rows)
-    )
+    return _span("i, i_row, o, o_row, constants, varying, row, f, f_row, count", loads, body), constants, rows
 
 
 def gradient(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
@@ -265,7 +300,7 @@ def _given(
 ) -> tuple[list[str], dict[Symbol, str]]:
     """Statements that load the constants, and the names of everything a formula starts from."""
     axes = [f"{w}{axis}" for w in "io" for axis in "xyz"]
-    given = dict(zip(trace.directions, axes, strict=True))
+    given = dict(zip(trace.directions, axes, strict=False))
     given |= {symbol: f"c{k}" for k, symbol in enumerate(constants)}
     given |= {p.symbol: f"v{k}" for k, p in enumerate(rows)}
     loads = []
@@ -299,8 +334,8 @@ def _header(title: str, scalar: str) -> str:
 
 
 def _module(trace: Trace, title: str, scalar: str, span: str, driver: str) -> str:
-    needs = any(f"{name}(" in span for name in ("exp", "expm1", "log1p", "asin", "asin_near"))
-    title = f"{title}: generated by Motes, {len(trace.outputs)} channel(s), {scalar}."
+    needs = any(f"{name}(" in span for name in ELEMENTARY)
+    title = f"{title}: generated by Motes, {len(trace.outputs)} output(s), {scalar}."
     functions = elementary.source(elementary.PRECISIONS[scalar]) if needs else ""
     return _joined(_header(title, scalar), functions, _COLUMNS, span, driver)
 

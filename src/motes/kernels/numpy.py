@@ -30,12 +30,15 @@ NUMPY = Target(
         "expm1": "expm1({0})",
         "log1p": "log1p({0})",
         "asin": "arcsin({0})",
+        "sin": "sin({0})",
+        "cos": "cos({0})",
+        "log": "log({0})",
         "minimum": "minimum({0}, {1})",
         "maximum": "maximum({0}, {1})",
         "where": "where({0}, {1}, {2})",
     },
 )
-_HEADER = "from numpy import arcsin, exp, expm1, log1p, maximum, minimum, sqrt, where\n"
+_HEADER = "from numpy import arcsin, cos, exp, expm1, log, log1p, maximum, minimum, sin, sqrt, where\n"
 
 
 def function(name: str, arguments: Sequence[str], body: Sequence[str], results: Sequence[str]) -> str:

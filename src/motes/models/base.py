@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from motes.arrays import NUMPY, Array, is_foreign, namespace
 from motes.directions import LONGEST, Geometry, Vector
 from motes.errors import DataError, ParameterError
+from motes.graph.recording import Kind
 from motes.kernels import engine, immediate
 from motes.models.albedo import directional_albedo
 from motes.models.components import Component, Reflecting
@@ -121,17 +122,9 @@ class BRDF(Reflecting, ABC):
         >>> Lambert(K_d=(0.5, 0.25)).eval([0, 0, 1], [0, 0.6, 0.8]).round(4)
         array([0.1592, 0.0796])
         """
-        found = immediate.evaluate(self, wi, wo, below=engine.THRESHOLD)
+        found, wi, wo, xp = self._recorded(Kind.VALUE, wi, wo)
         if found is not None:
-            return found
-        wi, wo, xp, shape = self._prepared(wi, wo)
-        if xp is NUMPY:
-            # What counts is how many pairs there are once all shapes are broadcast: an outer product is small in each factor.
-            if math.prod(shape) >= engine.THRESHOLD and engine.available():
-                return engine.evaluate(self, wi, wo)
-            found = immediate.evaluate(self, wi, wo)
-            if found is not None:
-                return found
+            return found[0]
         model = lifted(self, xp, wi)
         geometry = Geometry(xp, Vector.of(wi), Vector.of(wo))
         with np.errstate(all="ignore"):  # directions below the horizon are computed, then masked
@@ -152,37 +145,27 @@ class BRDF(Reflecting, ABC):
         wo (..., 3), pdf (...) per solid angle [1/sr], weight (..., C) = eval(wi, wo) cos(theta_r) / pdf
             A sample below the horizon has weight 0 and pdf 0: its energy is lost.
         """
-        wi, u, xp, _ = self._prepared(wi, u, last=(3, 2))
+        found, wi, u, xp = self._recorded(Kind.SAMPLE, wi, u)
+        if found is not None:
+            return Sampled(*found)
         shape = np.broadcast_shapes(tuple(wi.shape[:-1]), tuple(u.shape[:-1]))
         wi = broadcast(wi, (*shape, 3))
+        mean = averaged(self, wi)
         with np.errstate(all="ignore"):
-            components, chances = self._chances(xp, wi)
-            u0, u1 = u[..., 0], u[..., 1]
-            start: Array = 0.0
-            wo: Array = None
-            for component, chance in zip(components, chances, strict=True):
-                inside = (u0 - start) / xp.maximum(chance, 1e-30)
-                inside = xp.maximum(xp.minimum(inside, 1 - 1e-7), 0.0)
-                candidate = component.lobe.sample(xp, wi, xp.stack([inside, u1 + 0 * inside]))
-                wo = candidate if wo is None else xp.where((u0 >= start)[..., None], candidate, wo)
-                start = start + chance
+            wo = mean.drawn(xp, wi, u)
             pdf = self.pdf(wi, wo)
-            cos_theta_r = xp.maximum(wo[..., 2], 0.0)
-            scale = xp.where(pdf > 0, cos_theta_r / xp.maximum(pdf, 1e-30), 0.0)
-            return Sampled(wo, pdf, self.eval(wi, wo) * scale[..., None])
+            return Sampled(wo, pdf, self.eval(wi, wo) * mean.weighing(xp, wo, pdf)[..., None])
 
     def pdf(self, wi: Array, wo: Array) -> Array:
         """The density with which `sample` chooses ``wo`` [1/sr]; shape (...).
 
         It integrates to 1 less the share of samples lost below the horizon.
         """
-        wi, wo, xp, _ = self._prepared(wi, wo)
+        found, wi, wo, xp = self._recorded(Kind.DENSITY, wi, wo)
+        if found is not None:
+            return found[0]
         with np.errstate(all="ignore"):
-            components, chances = self._chances(xp, wi)
-            total: Array = 0.0
-            for component, chance in zip(components, chances, strict=True):
-                total = total + chance * component.lobe.pdf(xp, wi, wo)
-            return Geometry(xp, Vector.split(wi), Vector.split(wo)).above_horizon(total)
+            return averaged(self, wi).density(xp, wi, wo)
 
     def directional_albedo(self, wi: Array, *, nodes: tuple[int, int] = (48, 64)) -> Array:
         """The share of light from ``wi`` that the surface reflects: the integral of eval cos(theta_r) over ``wo``.
@@ -248,6 +231,21 @@ class BRDF(Reflecting, ABC):
         super().__post_init__()
         self.check_channels()
 
+    def _recorded(self, kind: Kind, a: Array, b: Array) -> tuple[list[Array] | None, Array, Array, Array]:
+        """What a recorded formula gives for NumPy's arrays: few at once, many through the engine.
+
+        None where none serves, for then the equations run as they stand; with the inputs as arrays, and their namespace.
+        """
+        found = immediate.call(kind, self, a, b, engine.threshold(kind))
+        if found is not None:
+            return found, a, b, NUMPY
+        a, b, xp, shape = self._prepared(a, b, (3, 2) if kind is Kind.SAMPLE else (3, 3))
+        if xp is NUMPY:
+            # What counts is how many pairs there are once all shapes are broadcast: an outer product is small in each factor.
+            large = math.prod(shape) >= engine.threshold(kind) and engine.serves(kind, self)
+            found = engine.call(kind, self, a, b) if large else immediate.call(kind, self, a, b)
+        return found, a, b, xp
+
     def _prepared(
         self, a: Array, b: Array, last: tuple[int, int] = (3, 3)
     ) -> tuple[Array, Array, Array, tuple[int, ...]]:
@@ -287,14 +285,43 @@ class BRDF(Reflecting, ABC):
             ) from None
         return prepared[0], prepared[1], xp, shape
 
+    # ------------------------------------------------------------ sampling; parameters broadcast against (...): see `averaged`
+
+    def drawn(self, xp: Array, wi: Array, u: Array) -> Array:
+        """Directions (..., 3) that `sample` chooses."""
+        components, chances = self._chances(xp, wi)
+        u0, u1 = u[..., 0], u[..., 1]
+        start: Array = 0.0
+        wo: Array = None
+        for component, chance in zip(components, chances, strict=True):
+            inside = (u0 - start) / xp.maximum(chance, 1e-30)
+            inside = xp.maximum(xp.minimum(inside, 1 - 1e-7), 0.0)
+            candidate = component.lobe.sample(xp, wi, xp.stack([inside, u1 + 0 * inside]))
+            if wo is not None:
+                chosen = u0 >= start
+                candidate = xp.stack([xp.where(chosen, candidate[..., k], wo[..., k]) for k in range(3)])
+            wo, start = candidate, start + chance
+        return wo
+
+    def density(self, xp: Array, wi: Array, wo: Array) -> Array:
+        """The density (...) of `drawn` [1/sr]."""
+        components, chances = self._chances(xp, wi)
+        total: Array = 0.0
+        for component, chance in zip(components, chances, strict=True):
+            total = total + chance * component.lobe.pdf(xp, wi, wo)
+        return Geometry(xp, Vector.split(wi), Vector.split(wo)).above_horizon(total)
+
+    def weighing(self, xp: Array, wo: Array, density: Array) -> Array:
+        """The factor (...) of the value in the weight of a sample: its cosine over its density."""
+        return xp.where(density > 0, xp.maximum(wo[..., 2], 0.0) / xp.maximum(density, 1e-30), 0.0)
+
     def _chances(self, xp: Array, wi: Array) -> tuple[list[Component], list[Array]]:
-        """The components with parameters that broadcast against (...), and the chance that `sample` takes each."""
-        components = averaged(self, wi).components(xp, xp.maximum(wi[..., 2], 1e-4))
+        """The components, and the chance that `sample` takes each."""
+        components = self.components(xp, xp.maximum(wi[..., 2], 1e-4))
         total: Array = 1e-30
         for component in components:
             total = total + component.importance
-        chances = [(component.importance + 1e-30 / len(components)) / total for component in components]
-        return components, chances
+        return components, [(c.importance + 1e-30 / len(components)) / total for c in components]
 
 
 def _check_lengths(w: NDArray[Any]) -> None:

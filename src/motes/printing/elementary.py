@@ -1,4 +1,4 @@
-"""exp, expm1, log1p and asin as straight-line polynomials that LLVM vectorises; it calls libm, one number at a time, for the usual ones.
+"""exp, expm1, log, log1p, asin, sin and cos as straight-line polynomials that LLVM vectorises; it calls libm, one number at a time, for the usual ones.
 
 The coefficients are minimax, printed by ``tools/minimax.py``.  Errors over the whole domain, measured against wider arithmetic by
 ``tests/test_printing_elementary.py``, in units of the last place of the result:
@@ -8,18 +8,22 @@ function   at most  edges
 =========  =======  ====================================================================================
 exp        1.5      below 2^-125.5 (float64: 2^-1021.5) flushed to 0; overflows to inf where it should
 expm1      2.5      -1 at the far left; the sign of zero is not kept
+log        1.5      -inf at 0, NaN below; inf stays; of normal numbers only
 log1p      1.5      -inf at -1, NaN below; inf stays
 asin_near  1        on [-0.7072, 0.7072] only
 asin       3        NaN outside [-1, 1]
+sin, cos   1.5      on [-6.3, 6.3], a turn either way, only
 =========  =======  ====================================================================================
 
 NaN in, NaN out.  exp and expm1 share their reduction x = k ln(2) + r and polynomial, so a compiler does it once when it meets both:
 with s = 2^(k-1) and p = exp(r) - 1, exp(x) = 2 (s p + s) and expm1(x) = 2 (s p + (s - 1/2)).  log1p splits 1 + x = 2^k m and takes the
-polynomial of Sun's fdlibm (Ng, 1993) of m - 1, with what rounding lost of 1 + x put back.
+polynomial of Sun's fdlibm (Ng, 1993) of m - 1, with what rounding lost of 1 + x put back; log does without the latter.  sin and cos share
+their reduction x = k pi/2 + r.
 """
 
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass
 
 
@@ -41,7 +45,9 @@ class Precision:
         ln(2) as two numbers, the first with enough trailing zeros that k times it is exact.
     one, half_root
         The bits of 1 and of sqrt(1/2), where the fraction that log1p takes begins.
-    exp, asin, log
+    half_pi
+        pi/2 as a sum of numbers, k times each of which but the last is exact for the k that there are.
+    exp, asin, sin, cos, log
         Coefficients, lowest first; of log, of (log(1 + f) - f + f^2/2) by powers of (f/(2 + f))^2, from fdlibm.
     """
 
@@ -54,8 +60,11 @@ class Precision:
     ln2: tuple[float, float]
     one: int
     half_root: int
+    half_pi: tuple[float, ...]
     exp: tuple[float, ...]
     asin: tuple[float, ...]
+    sin: tuple[float, ...]
+    cos: tuple[float, ...]
     log: tuple[float, ...]
 
 
@@ -69,8 +78,11 @@ FLOAT32 = Precision(
     ln2=(0.69311523, 3.1946183e-05),
     one=0x3F800000,
     half_root=0x3F3504F3,
+    half_pi=(1.5703125, 0.0004837513, 7.543713e-08, 6.0771006e-11),
     exp=(0.49999997, 0.16666543, 0.0416672, 0.008366514, 0.0013882522),
     asin=(0.16666906, 0.07488484, 0.046502333, 0.016388448, 0.07697573, -0.09262575, 0.11132111),
+    sin=(-0.16666655, 0.00833216, -0.00019515282),
+    cos=(0.041666646, -0.0013887316, 2.4433157e-05),
     log=(0.66666662693, 0.40000972152, 0.28498786688, 0.24279078841),
 )
 FLOAT64 = Precision(
@@ -83,6 +95,7 @@ FLOAT64 = Precision(
     ln2=(0.6931471803691238, 1.9082149292705877e-10),
     one=0x3FF0000000000000,
     half_root=0x3FE6A09E667F3BCD,
+    half_pi=(1.5707963267341256, 6.077100506303966e-11, 2.0222662487959506e-21),
     exp=(
         0.5000000000000006,
         0.16666666666666588,
@@ -114,6 +127,22 @@ FLOAT64 = Precision(
         6.049000744889667,
         -3.4220721871174367,
         0.9215118736481213,
+    ),
+    sin=(
+        -0.1666666666666663,
+        0.008333333333322118,
+        -0.00019841269829589536,
+        2.7557313621384062e-06,
+        -2.50507477625281e-08,
+        1.589623013620773e-10,
+    ),
+    cos=(
+        0.041666666666666595,
+        -0.0013888888888873056,
+        2.48015872888517e-05,
+        -2.755731417929531e-07,
+        2.0875700841799417e-09,
+        -1.1358536512948367e-11,
     ),
     log=(
         6.666666666666735130e-01,
@@ -174,6 +203,47 @@ def log1p(x):
 
 
 @part
+def log(x):
+    shifted = I(bits_of(x) + I({above}))
+    exponent = I(I(shifted >> I({fraction})) - I({bias}))
+    f = float_of(I(I(shifted & I({mask})) + I({half_root}))) - F(1.0)
+    k = F(exponent)
+    s = f / (F(2.0) + f)
+    z = s * s
+    half = F(0.5) * (f * f)
+    tail = s * (half + z * {log}) + k * F({ln2[1]!r})
+    y = k * F({ln2[0]!r}) + (f - (half - tail))
+    y = select(x > F(0.0), y, select(x == F(0.0), F(-np.inf), F(np.nan)))
+    return select(x == F(np.inf), x, y)
+
+
+@part
+def turned(x, quarters):
+    """The sine of x plus some right angles."""
+    shifted = x * F(0.6366197723675814) + F({shift!r})
+    k = shifted - F({shift!r})
+    r = {rest}
+    z = r * r
+    sine = r + r * (z * {sin})
+    half = F(0.5) * z
+    most = F(1.0) - half
+    cosine = most + (((F(1.0) - most) - half) + z * z * {cos})
+    quadrant = I(bits_of(shifted) + I(quarters))
+    y = select(I(quadrant & I(1)) != I(0), cosine, sine)
+    return select(I(quadrant & I(2)) != I(0), -y, y)
+
+
+@part
+def sin(x):
+    return turned(x, 0)
+
+
+@part
+def cos(x):
+    return turned(x, 1)
+
+
+@part
 def asin_near(x):
     """On [-0.7072, 0.7072]."""
     z = x * x
@@ -207,6 +277,9 @@ def source(precision: Precision) -> str:
         highest=precision.highest,
         shift=precision.shift,
         ln2=precision.ln2,
+        rest=functools.reduce(lambda text, part: f"({text} - k * F({part!r}))", precision.half_pi, "x"),
+        sin=horner(precision.sin, "z"),
+        cos=horner(precision.cos, "z"),
         exponent=precision.bias - 1,
         fraction=precision.fraction,
         exp=horner(precision.exp, "r"),
