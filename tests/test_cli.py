@@ -722,6 +722,7 @@ def test_every_command_and_option_is_documented() -> None:
             "fit",
             "info",
             "material",
+            "plan",
             "render",
             "simulate",
             "stack",

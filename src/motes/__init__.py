@@ -36,6 +36,7 @@ if TYPE_CHECKING:
         Schlick,
         TorranceSparrow,
     )
+    from motes.planning import Design, plan
     from motes.viewer.viewing import View, view
 
 _HOMES = {
@@ -65,6 +66,8 @@ _HOMES = {
     "OrenNayar": "models",
     "Schlick": "models",
     "TorranceSparrow": "models",
+    "Design": "planning",
+    "plan": "planning",
     "View": "viewer",
     "view": "viewer",
 }
@@ -100,6 +103,7 @@ __all__ = [
     "CoatedDiffuse",
     "Comparison",
     "Conductor",
+    "Design",
     "Dielectric",
     "Dust",
     "DustLayer",
@@ -119,6 +123,7 @@ __all__ = [
     "convert",
     "fit",
     "load",
+    "plan",
     "read",
     "view",
 ]

@@ -32,6 +32,7 @@ def make_app() -> App:
     from motes.cli.fit_command import fit
     from motes.cli.info_command import info
     from motes.cli.material_command import material
+    from motes.cli.plan_command import plan
     from motes.cli.render_command import render
     from motes.cli.simulate_command import simulate
     from motes.cli.stack_command import stack
@@ -46,7 +47,7 @@ def make_app() -> App:
         default_parameter=cyclopts.Parameter(show_default=_default),
         suppress_keyboard_interrupt=False,  # `main` answers it
     )
-    for command in (fit, stack, info, age, simulate, render, dust, view, export, material, certify, demo):
+    for command in (fit, plan, stack, info, age, simulate, render, dust, view, export, material, certify, demo):
         app.command(command, help=_description(command))
     return app
 
