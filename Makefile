@@ -2,6 +2,7 @@
 # make test   install what the tests need, and run them all
 # make lint   the checks of style, types and imports alone
 # make blender  Blender's extension, a zip in dist
+# make docs   the documentation as a site, in out/site
 # make bench  install what the benchmarks need, run them, and write docs/benchmarks.md (EFFORT=quick, normal or full)
 # make fuzz   damaged files for everything that reads, MINUTES=1 long; writes docs/fuzzing.md
 # make clean  remove what these made
@@ -17,7 +18,7 @@ JOBS ?= 2
 EFFORT ?= normal
 MINUTES ?= 1
 
-.PHONY: demo test lint blender bench fuzz clean
+.PHONY: demo test lint blender docs bench fuzz clean
 .DELETE_ON_ERROR:
 
 demo: $(VENV)/.installed-all
@@ -40,7 +41,7 @@ lint: $(VENV)/.installed-dev
 	$(BIN)/lint-imports --no-cache
 	$(BIN)/python tools/rooms.py
 
-# One rule for both sets of packages: all and dev.  Making an environment over an existing one mends a half-made one.
+# One rule for all sets of packages: all, dev and docs.  Making an environment over an existing one mends a half-made one.
 $(VENV)/.installed-%: pyproject.toml
 	@test -n "$(PYTHON)" || { echo "Motes needs Python 3.11 or later; python3 is $$(python3 --version 2>&1). Name one: make PYTHON=/path/to/python3.11"; exit 1; }
 	@echo "installing motes[$*] into $(VENV) (the first time takes minutes)"
@@ -50,6 +51,9 @@ $(VENV)/.installed-%: pyproject.toml
 
 blender: $(VENV)/.installed-all
 	$(BIN)/python tools/blender_build.py -o dist
+
+docs: $(VENV)/.installed-docs
+	$(BIN)/python tools/site_build.py
 
 bench: $(VENV)/.installed-dev
 	$(BIN)/python benchmarks/run.py --effort $(EFFORT)

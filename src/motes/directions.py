@@ -76,7 +76,7 @@ class Geometry:
     xp
         Namespace; see `motes.arrays`.
     wi, wo
-        `Vector`s of broadcastable components; unit length is taken for granted.
+        Vectors (`Vector`) of broadcastable components; unit length is taken for granted.
     """
 
     def __init__(self, xp: Array, wi: Vector, wo: Vector) -> None:
@@ -127,7 +127,7 @@ class Geometry:
 
     @cached_property
     def one_less_abs_cos_dphi(self) -> Array:
-        """1 - |cos(phi_r - phi_i)| = sin^2 / (1 + |cos|), with the sine from the cross product, which does not cancel."""
+        """1 - abs(cos(phi_r - phi_i)) = sin^2 / (1 + abs(cos)), with the sine from the cross product, which does not cancel."""
         xp = self.xp
         cross = self.wi.x * self.wo.y - self.wi.y * self.wo.x
         sine = cross / xp.maximum(self.sin_theta_i * self.sin_theta_r, 1e-30)
@@ -160,7 +160,7 @@ class Geometry:
 
     @cached_property
     def sin2_half_gamma(self) -> Array:
-        """sin^2(gamma/2) of the deviation angle gamma: cos(gamma) = -wi . wo, so it is |wi + wo|^2 / 4."""
+        """sin^2(gamma/2) of the deviation angle gamma: cos(gamma) = -wi . wo, so it is the squared length of wi + wo over 4."""
         return 0.25 * (self._sum_xy2 + self._sum_z * self._sum_z)
 
     @cached_property
@@ -170,7 +170,7 @@ class Geometry:
 
     @cached_property
     def cos_theta_d(self) -> Array:
-        """wi . wh = wo . wh = |wi + wo| / 2 for unit vectors: the cosine of Rusinkiewicz's difference angle."""
+        """wi . wh = wo . wh, half the length of wi + wo for unit vectors: the cosine of Rusinkiewicz's difference angle."""
         return self.xp.sqrt(self.sin2_half_gamma)
 
     @cached_property

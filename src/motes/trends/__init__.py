@@ -1,6 +1,6 @@
 r"""Trends: parameters as functions of time.
 
-==================  =============================================================================  =========================
+=================== ============================================================================== =========================
 ``constant``        :math:`q = a`                                                                  does not change
 ``linear``          :math:`q = a + (b - a) u,\ u = (t - t_0)/(t_1 - t_0)`                          steady growth
 ``exponential``     :math:`q = b + (a - b) e^{-(t - t_0)/T}`                                       evaporation, relaxation
@@ -9,7 +9,7 @@ r"""Trends: parameters as functions of time.
 ``cubic``           the same with four control values                                              smooth, no law known
 ``monotone_spline`` :math:`q = a + (b - a) \sum_k s_k I_k(u)`, I-splines                           one-way, no law known
 ``tabulated``       piecewise linear through measured points                                       measured, not fitted
-==================  =============================================================================  =========================
+=================== ============================================================================== =========================
 
 All but time constants are *values of the parameter* (at the start, at the end, control values), so the bounds of the parameter are the bounds of the
 trend, and inside the observed interval a trend never leaves them.  Time is in hours.

@@ -176,7 +176,7 @@ def flat(trend: Trend) -> Floats:
 
 
 def flat_jacobian(trend: Trend, jacobian: Mapping[str, Floats], shape: tuple[int, ...]) -> Floats:
-    """Derivatives by the flat coefficients: shape (*shape, K), where shape is (T,) or (T, C)."""
+    """Derivatives by the flat coefficients: of `shape` and then K, where shape is (T,) or (T, C)."""
     columns = []
     for c in KINDS[trend.kind].coefficients:
         slope = np.broadcast_to(jacobian.get(c.name, np.zeros(())), shape)
