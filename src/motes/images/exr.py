@@ -237,8 +237,8 @@ def _shown(path: Path, data: NDArray[np.float32], facts: Any) -> NDArray[np.floa
     width, height = int(facts.full_width), int(facts.full_height)
     if width < 1 or height < 1:
         return data
-    # Twice: its colours are taken out of it, without alpha.
-    budget.check(path, 2 * width * height * data.shape[-1] * 4, f"its display window of {width} x {height} pixels")
+    # Four times: its colours are taken out of it, without alpha, and those who compute with them make them float64.
+    budget.check(path, 4 * width * height * data.shape[-1] * 4, f"its display window of {width} x {height} pixels")
     shown = np.full((height, width, data.shape[-1]), np.nan, np.float32)
     left, top = facts.x - facts.full_x, facts.y - facts.full_y
     x0, x1 = max(left, 0), min(left + facts.width, width)
