@@ -2,7 +2,8 @@
 
 Parameters are *shared* (sigma_d) or *per channel* (K_d), so the normal matrix is an arrow: a small block for each
 channel and a border of shared ones.  It is built from one (K, K) product for each channel, with K = per-channel +
-shared parameters, never from a dense Jacobian."""
+shared parameters, never from a dense Jacobian.  Inside, the directions are the last axis: with a few channels there, NumPy
+takes twice as long."""
 
 from __future__ import annotations
 
@@ -78,13 +79,13 @@ class Problem(Objective):
     def __post_init__(self) -> None:
         squared = [q.name for q in self.quantities if q.parameter.squared]
         function = residual_function(self.model, [q.name for q in self.quantities], horizon=False, squared=squared)
-        cosines = np.ascontiguousarray(self.wi[:, 2:3])
+        cosines = np.ascontiguousarray(self.wi[:, 2])
         for name, value in (
             ("_function", function),
-            ("_columns", function.geometry(self.wi, self.wo)),
+            ("_columns", tuple(column[:, 0] for column in function.geometry(self.wi, self.wo))),
             ("_cosines", cosines),
-            ("_targets", self.loss.transform(self.values, cosines)),
-            ("_roots", np.sqrt(self.weights)),
+            ("_targets", self.loss.transform(_directions_last(self.values), cosines)),
+            ("_roots", np.sqrt(_directions_last(self.weights))),
         ):
             object.__setattr__(self, name, value)
 
@@ -181,11 +182,21 @@ class Problem(Objective):
         parts = self._mapped(
             lambda rows: self._broadcast(self._function.values(self._rows(rows), self._arguments(x[None])), rows)[0], 1
         )
-        return np.concatenate(list(parts))
+        return np.ascontiguousarray(np.concatenate(list(parts), axis=-1).T)
 
     def residuals(self, x: Floats) -> Floats:
         """Weighted residuals (N, C) for one parameter vector (P,); 0 where masked."""
-        return self._roots * (self.loss.transform(self.predicted(x), self._cosines) - self._targets)
+        return (self._roots * (self.loss.transform(self.predicted(x).T, self._cosines) - self._targets)).T
+
+    def misfits(self, x: Floats, sets: NDArray[np.intp] | None = None) -> Floats:
+        """Weighted residuals (B, C, N) for parameter vectors (B, P), each of its data set."""
+
+        def part(rows: slice) -> Floats:
+            f = self._broadcast(self._function.values(self._rows(rows), self._arguments(x)), rows, len(x))
+            apart = self.loss.transform(f, self._cosines[rows]) - self._data(self._targets, rows, sets)
+            return np.asarray(self._data(self._roots, rows, sets) * apart)
+
+        return np.concatenate(self._mapped(part, len(x)), axis=-1)
 
     @property
     def directions(self) -> tuple[Floats, Floats]:
@@ -213,13 +224,14 @@ class Problem(Objective):
         return np.asarray(np.sum(parts, axis=0))
 
     def pull(self, x: Floats, sets: NDArray[np.intp] | None = None) -> Floats:
-        slopes = self.loss.slope(self.values, self._cosines)
-        moved = np.where(self._roots > 0, self._roots * slopes * self.values * self.common, 0.0)
+        values = _directions_last(self.values)
+        slopes = self.loss.slope(values, self._cosines)
+        moved = np.where(self._roots > 0, self._roots * slopes * values * self.common, 0.0)
 
         def part(rows: slice) -> tuple[Floats]:
-            _, jacobian = self._linearised(x[None], rows, sets)
+            _, jacobian = self.linearised(x[None], rows, sets)
             push = self._data(moved, rows, sets)
-            return (self._vector(np.einsum("bcnk,bnc->bck", jacobian, push.reshape(1, *push.shape[-2:])))[0],)
+            return (self.vector(np.einsum("bcnk,bcn->bck", jacobian, push.reshape(1, *push.shape[-2:])))[0],)
 
         return np.asarray(np.sum([p for (p,) in self._mapped(part, 1)], axis=0))
 
@@ -260,36 +272,36 @@ class Problem(Objective):
         return np.asarray(self.normal(x[None]).objective + rise)
 
     def _normal_part(self, x: Floats, rows: slice, sets: NDArray[np.intp] | None) -> tuple[Floats, Floats, Floats]:
-        residual, jacobian = self._linearised(x, rows, sets)
+        residual, jacobian = self.linearised(x, rows, sets)
         z = (residual / self.scale) ** 2
         objective = 0.5 * self.scale**2 * self.robust.rho(z).sum(axis=(1, 2))
         if self.robust.name != "none":
             root = np.sqrt(self.robust.slope(z))
             residual = residual * root
-            jacobian *= np.moveaxis(root, 2, 1)[..., None]
+            jacobian *= root[..., None]
         transposed = np.swapaxes(jacobian, 2, 3)  # (B, C, K, n)
         products = transposed @ jacobian  # (B, C, K, K)
-        slopes = (transposed @ np.moveaxis(residual, 2, 1)[..., None])[..., 0]  # (B, C, K)
-        return objective, self._vector(slopes), self._matrix(products)
+        slopes = (transposed @ residual[..., None])[..., 0]  # (B, C, K)
+        return objective, self.vector(slopes), self.matrix(products)
 
     def _curvature_part(self, x: Floats, rows: slice, sets: NDArray[np.intp] | None) -> Floats:
-        residual, jacobian = self._linearised(x, rows, sets)
-        bend = np.moveaxis(self.robust.bend((residual / self.scale) ** 2), 2, 1)[..., None]  # (1, C, n, 1)
-        return np.asarray(self._matrix(np.swapaxes(jacobian, 2, 3) @ (bend * jacobian))[0])
+        residual, jacobian = self.linearised(x, rows, sets)
+        bend = self.robust.bend((residual / self.scale) ** 2)[..., None]  # (1, C, n, 1)
+        return np.asarray(self.matrix(np.swapaxes(jacobian, 2, 3) @ (bend * jacobian))[0])
 
     def _spread_part(self, x: Floats, inverse: Floats, rows: slice, sets: NDArray[np.intp] | None) -> Floats:
-        residual, jacobian = self._linearised(x, rows, sets)
+        residual, jacobian = self.linearised(x, rows, sets)
         z = (residual / self.scale) ** 2
-        psi = np.moveaxis(residual * self.robust.slope(z), 2, 1)[0]  # (C, n)
+        psi = (residual * self.robust.slope(z))[0]  # (C, n)
         index = self._index()  # (C, K)
         blocks = inverse[index[:, :, None], index[:, None, :]]  # (C, K, K)
         leverage = np.einsum("cnk,ckl,cnl->cn", jacobian[0], blocks, jacobian[0])
-        leverage *= np.moveaxis(self.robust.bend(z), 2, 1)[0]
+        leverage *= self.robust.bend(z)[0]
         scaled = jacobian[0] * (psi / np.maximum(1 - leverage, LEAST_REMAINDER))[..., None]
-        return np.asarray(self._matrix((np.swapaxes(scaled, 1, 2) @ scaled)[None])[0])
+        return np.asarray(self.matrix((np.swapaxes(scaled, 1, 2) @ scaled)[None])[0])
 
-    def _linearised(self, x: Floats, rows: slice, sets: NDArray[np.intp] | None) -> tuple[Floats, Floats]:
-        """Weighted residuals (B, n, C) and their derivatives (B, C, n, K): per-channel parameters, then shared."""
+    def linearised(self, x: Floats, rows: slice, sets: NDArray[np.intp] | None) -> tuple[Floats, Floats]:
+        """Weighted residuals (B, C, n) and their derivatives (B, C, n, K): per-channel parameters, then shared."""
         f, derivatives = self._function.values_and_jacobian(self._rows(rows), self._arguments(x))
         f = self._broadcast(f, rows, len(x))
         roots, targets, cosines = (
@@ -298,27 +310,28 @@ class Problem(Objective):
             self._cosines[rows],
         )
         residual = roots * (self.loss.transform(f, cosines) - targets)
-        slope = roots * self.loss.slope(f, cosines)  # (B, n, C) or (n, C)
-        batch, n, channels = residual.shape
-        jacobian = np.empty((batch, channels, n, len(self.quantities)))
+        slope = roots * self.loss.slope(f, cosines)  # (B, C, n) or (C, n)
+        batch, channels, n = residual.shape
+        transposed = np.empty((batch, channels, len(self.quantities), n))
         for k, name in enumerate(self._order()):
-            np.multiply(derivatives[name], slope, out=np.moveaxis(jacobian[..., k], 1, 2))
-        return residual, jacobian
+            np.multiply(derivatives[name], slope, out=transposed[:, :, k])
+        return residual, np.swapaxes(transposed, 2, 3)
 
     @staticmethod
     def _data(array: Floats, rows: slice, sets: NDArray[np.intp] | None) -> Floats:
-        """Rows of (N, C), or of the data sets (B, N, C) of each vector."""
-        return array[rows] if array.ndim == 2 else array[slice(None) if sets is None else sets, rows]
+        """Rows of (C, N), or of the data sets (B, C, N) of each vector."""
+        return array[:, rows] if array.ndim == 2 else array[slice(None) if sets is None else sets, :, rows]
 
     def _arguments(self, x: Floats) -> dict[str, Floats | float]:
-        given = {q.name: (x[:, None, q.where] if q.per_channel else x[:, q.where, None]) for q in self.quantities}
-        return given | dict(self.fixed)
+        given: dict[str, Floats | float] = {q.name: x[:, q.where, None] for q in self.quantities}
+        held = {k: v if np.ndim(v) == 0 else _directions_last(np.asarray(v)) for k, v in self.fixed.items()}
+        return given | held
 
     def _rows(self, rows: slice) -> tuple[Floats, ...]:
         return tuple(column[rows] if len(column) > 1 else column for column in self._columns)
 
     def _broadcast(self, f: Floats, rows: slice, batch: int = 1) -> Floats:
-        return np.broadcast_to(f, (batch, rows.stop - rows.start, self.channels))
+        return np.broadcast_to(f, (batch, self.channels, rows.stop - rows.start))
 
     def _mapped(self, work: Callable[[slice], Part], batch: int) -> list[Part]:
         """`work` on slices of the directions, in their order, on all processors when there is much to do."""
@@ -349,19 +362,24 @@ class Problem(Objective):
         shared = [np.full(self.channels, q.where.start) for q in self.quantities if not q.per_channel]
         return np.stack(own + shared, axis=1)
 
-    def _vector(self, parts: Floats) -> Floats:
+    def vector(self, parts: Floats) -> Floats:
         """Sum (B, C, K) into (B, P)."""
         total = np.zeros((len(parts), self.size))
         for c, index in enumerate(self._index()):
             total[:, index] += parts[:, c]
         return total
 
-    def _matrix(self, parts: Floats) -> Floats:
+    def matrix(self, parts: Floats) -> Floats:
         """Sum (B, C, K, K) into (B, P, P)."""
         total = np.zeros((len(parts), self.size, self.size))
         for c, index in enumerate(self._index()):
             total[:, index[:, None], index[None, :]] += parts[:, c]
         return total
+
+
+def _directions_last(array: Floats) -> Floats:
+    """An array (..., N, C) as (..., C, N), in memory as well."""
+    return np.ascontiguousarray(np.swapaxes(array, -2, -1))
 
 
 def even_channels(used: NDArray[Any]) -> NDArray[np.intp] | None:
