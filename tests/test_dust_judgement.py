@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -14,7 +16,7 @@ from motes.fitting.judgement import Contender, judged, simplest, standard_errors
 from motes.fitting.ladder import FOLDS
 from motes.fitting.setup import Wishes
 from motes.measurements import Measurement
-from motes.models import Beckmann
+from motes.models import Beckmann, CoatedDiffuse, Dielectric
 from motes.models.composition import in_words
 from motes.parameters import Role
 
@@ -45,10 +47,11 @@ def test_the_simplest_is_taken_than_which_the_best_is_not_clearly_better() -> No
     ("each", "layer", "brightness", "dusty"),
     [
         (0.5, {}, 24_000.0, True),
-        (0.7, {}, 24_000.0, None),
+        (0.8, {}, 24_000.0, None),
         (0.95, {}, 24_000.0, False),
         (1.2, {}, 24_000.0, False),
         (0.5, {Role.DEPTH: 0.03}, 24_000.0, None),
+        (0.8, {Role.DEPTH: 0.03}, 24_000.0, False),
         (0.5, {Role.SINGLE_SCATTERING_ALBEDO: 1.4}, 24_000.0, None),
         (0.5, {Role.SINGLE_SCATTERING_ALBEDO: 0.1}, 24_000.0, None),
         (0.5, {Role.ASYMMETRY: -0.6}, 24_000.0, None),
@@ -64,6 +67,24 @@ def test_dust_is_called_dust_where_it_is_decisive_possible_and_close(
     assert found.dusty is dusty
     assert found.chosen.text == ("dust" if dusty else "clean")
     assert found.share == pytest.approx(each)
+
+
+def test_layers_that_scatter_once_are_no_evidence_beside_those_that_scatter_often() -> None:
+    clean, once = contender("clean", 1.0, 10), contender("once", 0.3, 0, DUST)
+    often = replace(contender("often", 0.95, 0, DUST), whole=True)
+    assert judged([clean, once]).dusty is True
+    assert judged([clean, once, often]).dusty is False
+    assert judged([clean, once, replace(often, left_out=0.5 * often.left_out)]).dusty is True
+
+
+def test_dust_over_a_coat_is_found_and_a_coat_is_none() -> None:
+    """By photons, over a varnished body."""
+    base = CoatedDiffuse(0.4, 1.5) + Beckmann(1.0, 0.3, fresnel=Dielectric(1.5))
+    wi, wo = scattered(200, 5)
+    noise = 1 + 0.02 * np.random.default_rng(7).standard_normal((200, 1))
+    f = photons.pairs(photons.Layer(base, 0.2, 0.8, 0.6), wi, wo, 4096)[:, None]
+    assert motes.fit(Measurement.from_arrays(wi, wo, f * noise)).dusty is True
+    assert motes.fit(Measurement.from_arrays(wi, wo, base.eval(wi, wo) * noise)).dusty is False
 
 
 def test_nothing_is_said_of_dust_without_something_to_compare() -> None:

@@ -15,6 +15,7 @@ from fitting_oracle import MODELS, Formulas, scattered
 from motes import workers
 from motes.errors import MotesError
 from motes.fitting import problem as problem_module
+from motes.fitting.chord import Chord
 from motes.fitting.losses import LOSSES, ROBUST, SMALLEST, loss_named, robust_named
 from motes.fitting.problem import Problem
 from motes.fitting.quantities import layout
@@ -301,3 +302,38 @@ def test_predicted_is_eval() -> None:
     brdf = built.model.with_parameters(values)
     np.testing.assert_allclose(built.predicted(x), brdf.eval(built.wi, built.wo), rtol=1e-10)
     assert isinstance(brdf, motes.DustLayer)
+
+
+# ---------------------------------------------------------------- chords
+
+
+@pytest.mark.parametrize("robust", ["none", "cauchy"])
+def test_a_chord_is_exact_where_it_starts_and_in_its_objective_everywhere(robust: str) -> None:
+    """Two data sets, each with weights and a point of its own."""
+    problem, x = make(robust=robust, per_channel=frozenset({"K_s"}))
+    rng = np.random.default_rng(4)
+    weights = problem.weights * (rng.uniform(size=(2, 150, 1)) > 0.2)
+    both = replace(problem, values=np.stack([problem.values] * 2), weights=weights)
+    at, sets = np.stack([x, 1.05 * x]), np.arange(2)
+    chord = Chord(both, at)
+    for found, exact in zip(chord.normal(at, sets), both.normal(at, sets), strict=True):
+        np.testing.assert_allclose(found, exact, rtol=1e-12, atol=1e-12 * np.abs(exact).max())
+    moved = np.stack([0.97 * at[1], 1.1 * at[0]])
+    found, exact = chord.normal(moved, sets[::-1]), both.normal(moved, sets[::-1])
+    np.testing.assert_allclose(found.objective, exact.objective, rtol=1e-12)
+    np.testing.assert_array_equal(found.matrix, chord.normal(at, sets).matrix[::-1])
+    # The gradient has the residuals of where it is asked and the derivatives of where the chord starts: by a dense Jacobian.
+    one = replace(both, values=both.values[1], weights=both.weights[1])
+    step = 1e-6
+    columns = []
+    for k in range(problem.size):
+        ends = []
+        for sign in (1, -1):
+            point = at[1].copy()
+            point[k] += sign * step
+            ends.append(one.residuals(point))
+        columns.append((ends[0] - ends[1]) / (2 * step))
+    residual = one.residuals(moved[0])
+    slope = residual * one.robust.slope((residual / one.scale) ** 2)
+    expected = [float(np.sum(column * slope)) for column in columns]
+    np.testing.assert_allclose(found.gradient[0], expected, rtol=1e-5, atol=1e-7 * np.abs(expected).max())

@@ -2,9 +2,9 @@
 
 usage: python tools/dust_verdict.py [--count 60] [--data ../shared/data] [--kept FILE] [-o docs/verdicts.md]
 
-Three sets, all at the directions of CUReT: its clean samples, materials simulated without dust and with misfit, and materials under dust by
-the photon Monte Carlo (tools/study_materials.py).  Three minutes of one core for 60 of each; what was judged is kept in FILE, a line each,
-and not judged again.  Needs the development extras.
+Five sets, all at the directions of CUReT: its clean samples, materials simulated without dust and with misfit, materials under dust by
+the photon Monte Carlo (tools/study_materials.py), and as many again of both kinds that nothing was chosen on.  Five minutes of one core
+for 60 of each; what was judged is kept in FILE, a line each, and not judged again.  Needs the development extras.
 """
 
 from __future__ import annotations
@@ -33,7 +33,10 @@ SETS = {
     "curet": "CUReT, clean",
     "clean": "simulated, clean, with misfit",
     "dusty": "simulated, dusty",
+    "fresh clean": "fresh: simulated, clean, with misfit",
+    "fresh dusty": "fresh: simulated, dusty",
 }
+FRESH = 1000  # the first seed of what nothing was chosen on
 FORWARD = 0.75  # a mean cosine beyond which light goes nearly straight on
 Row = dict[str, Any]
 
@@ -42,12 +45,9 @@ def judged(data: Measurement) -> Row:
     """The verdict on a measurement, and what it rests on."""
     contenders = [judgement.Contender.of([rung]) for rung in climb(data, WISHES)]
     found = judgement.judged(contenders)
-    dust = [c for c in contenders if c.could_be_dust]
-    best = min(dust, key=lambda one: one.loss) if dust else None
-    counts = best is not None and best.follows and found.errors > 1.0
     return {
         "dusty": found.dusty,
-        "score": found.share if counts else None,
+        "score": found.share if found.counts else None,
         "share": found.share,
         "model": found.chosen.text,
     }
@@ -59,12 +59,13 @@ def tasks(data: Path, count: int) -> Iterator[tuple[str, Row, Callable[[], Measu
     first = motes.read(data / "curet", sample=int(samples[0]))
     for sample in samples:
         yield "curet", {"name": sample}, lambda sample=sample: motes.read(data / "curet", sample=int(sample))
-    for k in range(count):
-        yield "clean", {"name": k}, lambda k=k: study.clean(k, first.wi, first.wo)
-    for k in range(count):
-        tau, w, g = study.layer(k)
-        about = {"name": k, "tau": tau, "w": w, "g": g}
-        yield "dusty", about, lambda k=k: study.dusty(k, first.wi, first.wo)
+    for start, fresh in ((0, ""), (FRESH, "fresh ")):
+        for k in range(start, start + count):
+            yield f"{fresh}clean", {"name": k}, lambda k=k: study.clean(k, first.wi, first.wo)
+        for k in range(start, start + count):
+            tau, w, g = study.layer(k)
+            about = {"name": k, "tau": tau, "w": w, "g": g}
+            yield f"{fresh}dusty", about, lambda k=k: study.dusty(k, first.wi, first.wo)
 
 
 def measured(data: Path, count: int, kept: Path | None) -> list[Row]:

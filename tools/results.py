@@ -46,8 +46,8 @@ SHORT = {
     "coated_diffuse + hapke(B_0=0, h=0.1) + ggx(fresnel=schlick)": "coat+grazing rise+GGX",
     f"dust_layer({RICH})": "dust",
     f"dust_layer({RICH}, scattering=multiple)": "dust",
-    "dust_layer(eon + gtr(fresnel=schlick))": "dust",
-    "dust_layer(eon + gtr(fresnel=schlick), scattering=multiple)": "dust",
+    "dust_layer(coated_diffuse + gtr(fresnel=schlick))": "dust",
+    "dust_layer(coated_diffuse + gtr(fresnel=schlick), scattering=multiple)": "dust",
 }
 # Real materials ask for more than the source's models: a Fresnel term, energy that is kept, longer tails.
 RICHER = {

@@ -39,9 +39,9 @@ LADDER = (
     Candidate("coated_diffuse + gtr(fresnel=schlick)"),
     Candidate("coated_diffuse + hapke(B_0=0, h=0.1) + ggx(fresnel=schlick)"),
     Candidate("dust_layer(oren_nayar + torrance_sparrow)", few=True),
-    Candidate("dust_layer(eon + gtr(fresnel=schlick))"),
+    Candidate("dust_layer(coated_diffuse + gtr(fresnel=schlick))"),
     Candidate("dust_layer(oren_nayar + torrance_sparrow, scattering=multiple)", slow=True),
-    Candidate("dust_layer(eon + gtr(fresnel=schlick), scattering=multiple)", slow=True),
+    Candidate("dust_layer(coated_diffuse + gtr(fresnel=schlick), scattering=multiple)", slow=True),
 )
 CANDIDATES = tuple(candidate.text for candidate in LADDER)
 #: Those of them that the texels of a map are fitted with.

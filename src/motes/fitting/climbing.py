@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from motes.errors import DataError
 from motes.fitting.choice import LADDER, check_names
 from motes.fitting.direction_blocks import Labels, blocks_of
-from motes.fitting.judgement import FEWEST_BLOCKS, Contender, clearly_better
+from motes.fitting.judgement import FEWEST_BLOCKS, FOLLOWS, Contender, clearly_better
 from motes.fitting.ladder import Rung, rung_of, under_robust
 from motes.fitting.losses import LOSSES
 from motes.fitting.problem import even_channels
@@ -24,8 +24,10 @@ from motes.parameters import Role
 # Candidates are compared on so many samples, and on so many directions at least; data of three times as many are thinned evenly.
 COMPARED_SAMPLES, COMPARED_DIRECTIONS = 12_000, 1_000
 # A layer with all orders of scattering is slow: it is tried where one that scatters once, over the same base, leaves less than this share of
-# the least that a clean candidate leaves, of what it was fitted to or of what was left out.
-WORTH_TRYING = 0.7, 0.8
+# the least that a clean candidate leaves, of what it was fitted to or of what was left out, and ...
+WORTH_TRYING = 0.9
+# ... is so close to what was left out that the slow one could follow the data: within so many times `FOLLOWS`.
+WITHIN_REACH = 1.5
 
 Say = Callable[[str], None]
 
@@ -132,6 +134,12 @@ class _Ladder:
             return
         best = min(self.rungs, key=lambda rung: float(rung.left_out.sum()))
         least = min(rung.objective for rung in self.rungs), float(best.left_out.sum())
+
+        def worthwhile(rung: Rung) -> bool:
+            left = float(rung.left_out.sum())
+            near = 2 * left <= (WITHIN_REACH * FOLLOWS) ** 2 * float(rung.problem.brightness().sum())
+            return near and (rung.objective < WORTH_TRYING * least[0] or left < WORTH_TRYING * least[1])
+
         for candidate in LADDER:
             model = parse(candidate.text).model
             layer = layer_of(model)
@@ -139,10 +147,7 @@ class _Ladder:
                 continue
             if candidate.slow and candidate.text not in also:
                 once = [rung for rung in self.rungs if _base(rung) == describe(layer.base)]
-                left = [(rung.objective, float(rung.left_out.sum())) for rung in once]
-                if not any(
-                    x < share * y for pair in left for x, share, y in zip(pair, WORTH_TRYING, least, strict=True)
-                ):
+                if not any(worthwhile(rung) for rung in once):
                     continue
             names = tuple(slot.name for slot in model.slots(Role.HIGHLIGHT_STRENGTH)) if best.per_channel else ()
             self._try(candidate.text, names)

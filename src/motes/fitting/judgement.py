@@ -16,12 +16,13 @@ import numpy as np
 from motes.fitting.ladder import Rung
 from motes.fitting.losses import Floats
 from motes.models.composition import layer_of
+from motes.models.dust import MULTIPLE, DustLayer
 from motes.parameters import Role
 
 #: With fewer blocks nothing is known of how well candidates predict.
 FEWEST_BLOCKS = 6
 # Dust is called dust where it leaves less than this share of what the best clean candidate leaves of the blocks left out, ...
-DECISIVE = 0.6
+DECISIVE = 0.7
 # ... and where it leaves more than this, it is as good as not there.
 IDLE = 0.9
 # ... and follows the data itself, within this relative RMS of what was left out.
@@ -43,6 +44,8 @@ class Contender:
         The weighted sum of squares of the data.
     layers
         Of each scan the mean values of the layer's own parameters by role; empty for a candidate without a layer.
+    whole
+        Whether it is a layer with all orders of scattering: of one that scatters once little is to be learned.
     """
 
     text: str
@@ -51,6 +54,7 @@ class Contender:
     brightness: float
     bic: float
     layers: tuple[dict[Role, float], ...] = ()
+    whole: bool = False
 
     @classmethod
     def of(cls, scans: Sequence[Rung]) -> Contender:
@@ -59,7 +63,9 @@ class Contender:
         left_out = np.concatenate([rung.left_out for rung in scans])
         bright = sum(float(rung.problem.brightness().sum()) for rung in scans)
         bic = sum(rung.bic for rung in scans)
-        return cls(scans[0].text, scans[0].per_channel, left_out, bright, bic, tuple(layers))
+        first = scans[0].brdf
+        whole = isinstance(first, DustLayer) and first.scattering == MULTIPLE
+        return cls(scans[0].text, scans[0].per_channel, left_out, bright, bic, tuple(layers), whole)
 
     def of_rungs(self, rungs: Sequence[Rung]) -> Rung:
         """The rung of one scan that this is."""
@@ -75,14 +81,18 @@ class Contender:
         return 2 * self.loss <= FOLLOWS**2 * self.brightness
 
     @property
+    def thin(self) -> bool:
+        """Whether its layer, if it has any, is too thin on all scans to be told from none."""
+        return all(layer.get(Role.DEPTH, 0.0) < THINNEST for layer in self.layers)
+
+    @property
     def could_be_dust(self) -> bool:
         """Whether the layer of one of the scans, the thickest, has values that dust has."""
-        if not self.layers:
+        if not self.layers or self.thin:
             return False
         thickest = max(self.layers, key=lambda layer: layer.get(Role.DEPTH, 0.0))
         return (
-            thickest.get(Role.DEPTH, 0.0) >= THINNEST
-            and DARKEST <= thickest.get(Role.SINGLE_SCATTERING_ALBEDO, 0.5) <= WHITEST
+            DARKEST <= thickest.get(Role.SINGLE_SCATTERING_ALBEDO, 0.5) <= WHITEST
             and thickest.get(Role.ASYMMETRY, 0.0) >= MOST_BACKWARD
         )
 
@@ -100,12 +110,15 @@ class Judgement(NamedTuple):
         What the best layer leaves, over what the best clean candidate leaves; NaN where nothing was compared.
     errors
         By how many standard errors it leaves less.
+    counts
+        Whether it could be dust, follows the data and predicts better by more than a standard error, so that the share decides.
     """
 
     chosen: Contender
     dusty: bool | None
     share: float
     errors: float
+    counts: bool = False
 
 
 def standard_errors(better: Contender, worse: Contender) -> float:
@@ -142,7 +155,8 @@ def judged(contenders: Sequence[Contender]) -> Judgement:
     """The candidate that is taken, and the verdict on dust.
 
     A layer is taken where it is dust, and nowhere else: elsewhere it is one more broad lobe that falls off towards grazing angles,
-    which clean models of a few more parameters have as well.
+    which clean models of a few more parameters have as well.  Layers that scatter light once are evidence only where none with all
+    orders of scattering was compared: with w free they follow many a clean material, too.
     """
     clean, layers = [c for c in contenders if not c.layers], [c for c in contenders if c.layers]
     if clean and len(clean[0].left_out) < FEWEST_BLOCKS:
@@ -150,13 +164,15 @@ def judged(contenders: Sequence[Contender]) -> Judgement:
     if not clean or not layers:
         return Judgement(simplest(contenders), None, math.nan, math.nan)
     dust = [c for c in layers if c.could_be_dust]
+    evidence = [c for c in dust if c.whole or not any(layer.whole for layer in layers)]
     best_clean = min(clean, key=lambda one: one.loss)
-    best_layer = min(dust or layers, key=lambda one: one.loss)
+    best_layer = min(evidence or dust or layers, key=lambda one: one.loss)
     share, errors = best_layer.loss / best_clean.loss, standard_errors(best_layer, best_clean)
-    if dust and best_layer.follows and share < DECISIVE and errors > 1.0:
-        return Judgement(simplest(dust), True, share, errors)
-    told = share > IDLE or errors <= 1.0
-    return Judgement(simplest(clean), False if told else None, share, errors)
+    counts = bool(evidence) and best_layer.follows and errors > 1.0
+    if counts and share < DECISIVE:
+        return Judgement(simplest(dust), True, share, errors, counts)
+    told = share > (DECISIVE if best_layer.thin else IDLE) or errors <= 1.0
+    return Judgement(simplest(clean), False if told else None, share, errors, counts)
 
 
 def _layer_values(rung: Rung) -> dict[Role, float]:

@@ -16,12 +16,14 @@ import numpy as np
 
 from motes.errors import DataError
 from motes.fitting.choice import NOISE_FLOOR, bic
+from motes.fitting.chord import Chord
 from motes.fitting.direction_blocks import Labels
 from motes.fitting.losses import ROBUST, Floats
 from motes.fitting.metrics import deviation, relative_rms
 from motes.fitting.problem import Problem
 from motes.fitting.quantities import Quantity
 from motes.fitting.result import Trial
+from motes.fitting.solver import minimize
 from motes.fitting.starts import starting_points
 from motes.fitting.uncertainty import at_rest
 from motes.fitting.verdicts import Status
@@ -32,10 +34,12 @@ from motes.models.composition import layer_of
 FOLDS = 8
 # A grid of so many points to start from is taken whole; of a larger one only what is new against the candidates before.
 LANES = 24
-# How many candidates before lend their ends as starts, and how many starts go on after a few rough steps.
+# How many candidates before lend their ends as starts, and how many starts go on after a few rough steps; a third of them where the data
+# are so few that what each costs does not show.
 LENDERS, KEPT = 4, 2
-ROUGH_STEPS, ROUGH_REDUCTION, STEPS, REDUCTION = 4, 1e-3, 25, 1e-5
-FOLD_STEPS, FOLD_REDUCTION = 5, 1e-4
+ROUGH_STEPS, ROUGH_REDUCTION, STEPS, REDUCTION = 4, 1e-3, 25, 1e-4
+# Fits to parts take so many steps with the derivatives of where they are, and then again.
+FOLD_ROUNDS, FOLD_STEPS, FOLD_REDUCTION = 2, 3, 1e-4
 # Starts are thinned out on a part of so many samples.
 ROUGH_SAMPLES = 1500
 
@@ -150,9 +154,10 @@ def _lanes(problem: Problem, below: Sequence[Rung], layered: bool) -> Floats:
     while math.prod(len(a) for a in axes) > LANES:
         longest = max(range(len(axes)), key=lambda k: len(axes[k]))
         axes[longest] = axes[longest][::2]
-    base = _carried(problem, parent)
-    for point in itertools.product(*axes):
-        lane = base.copy()
+    # What lies below may look otherwise under the layer: a layer over the same tells, where there is one.
+    alike = [rung for rung in lenders if layered and rung.layered][:1]
+    for base, point in itertools.product((parent, *alike), itertools.product(*axes)):
+        lane = _carried(problem, base)
         for q, value in zip(new, point, strict=True):
             lane[q.where] = q.coordinate(np.array(value))
         lanes.append(lane)
@@ -178,11 +183,12 @@ def _carried(problem: Problem, rung: Rung) -> Floats:
 
 def _fitted(problem: Problem, lanes: Floats) -> tuple[Floats, float, Status]:
     """The best end of fits that start at each of the lanes, thinned out by a few rough steps."""
-    if len(lanes) > KEPT:
-        step = max(1, len(problem.wi) * problem.channels // ROUGH_SAMPLES)
+    step = max(1, len(problem.wi) * problem.channels // ROUGH_SAMPLES)
+    kept = KEPT if step > 1 else max(KEPT, len(lanes) // 3)
+    if len(lanes) > kept:
         part = problem if step == 1 else problem.at_directions(np.arange(0, len(problem.wi), step))
         rough = part.solve(lanes, max_iterations=ROUGH_STEPS, reduction=ROUGH_REDUCTION)
-        lanes = rough.x[np.argsort(rough.normal.objective, kind="stable")[:KEPT]]
+        lanes = rough.x[np.argsort(rough.normal.objective, kind="stable")[:kept]]
     ends = problem.solve(lanes, max_iterations=STEPS, reduction=REDUCTION)
     best = ends.best()
     return at_rest(problem, ends.x[best]), float(ends.normal.objective[best]), ends.status[best]
@@ -201,12 +207,20 @@ def _left_out(problem: Problem, x: Floats, blocks: Labels, folds: list[Floats]) 
     if turns:
         weights = np.stack(folds)
         parts = replace(problem, values=np.broadcast_to(problem.values, weights.shape), weights=weights)
-        at = parts.solve(at, sets=np.arange(turns), max_iterations=FOLD_STEPS, reduction=FOLD_REDUCTION).x
-    added = np.empty(len(blocks))
-    for k, point in enumerate(at):
-        z = (problem.residuals(point) / problem.scale) ** 2
-        rows = blocks % len(at) == k
-        added[rows] = 0.5 * problem.scale**2 * problem.robust.rho(z[rows]).sum(axis=-1)
+        for _ in range(FOLD_ROUNDS):
+            at = minimize(
+                Chord(parts, at).normal,
+                at,
+                *parts.bounds,
+                sets=np.arange(turns),
+                brightness=parts.brightness(),
+                max_iterations=FOLD_STEPS,
+                reduction=FOLD_REDUCTION,
+                algebra=parts.algebra,
+            ).x
+    z = (problem.misfits(at) / problem.scale) ** 2
+    own = problem.robust.rho(z).sum(axis=1)[blocks % len(at), np.arange(len(blocks))]
+    added = 0.5 * problem.scale**2 * own
     # Residuals that are rounding say nothing, as for the BIC.
     floor = 0.5 * NOISE_FLOOR**2 * float(problem.brightness().sum()) / count
     return np.asarray(np.bincount(blocks, added, count) + floor)
