@@ -5,6 +5,8 @@
 # make docs   the documentation as a site, in out/site
 # make bench  install what the benchmarks need, run them, and write docs/benchmarks.md (EFFORT=quick, normal or full)
 # make fuzz   damaged files for everything that reads, MINUTES=1 long; writes docs/fuzzing.md
+# make test-lowest  the lowest versions that pyproject.toml allows, in an environment of their own, and the tests that touch each of them
+# make dist   the wheel and the source archive in dist, byte for byte the same from the same commit
 # make clean  remove what these made
 
 VENV ?= .venv
@@ -18,7 +20,13 @@ JOBS ?= 2
 EFFORT ?= normal
 MINUTES ?= 1
 
-.PHONY: demo test lint blender docs bench fuzz clean
+LOWEST ?= .venv-lowest
+# What each package is used for, in minutes: numbers and kernels, pictures, tables, maps and clusters, meshes, rendering, exports.
+LOWEST_TESTS := $(patsubst %,tests/test_%.py,models equations fitting_solver graph_tracing kernels_numba material images files_spreadsheet \
+	measurements_tables measurements_readers maps_making maps_cluster meshes_files rendering_scenes rendering_plugins exports_materialx \
+	certification_glsl soiling gltf cli)
+
+.PHONY: demo test test-lowest lint blender docs bench fuzz dist clean
 .DELETE_ON_ERROR:
 
 demo: $(VENV)/.installed-all
@@ -49,6 +57,22 @@ $(VENV)/.installed-%: pyproject.toml
 	@$(PIP) --editable '.[$*]'
 	@touch $@
 
+# uv resolves to the lowest versions of what pyproject.toml names; pip cannot.  Warnings of old packages are not ours.
+test-lowest: $(LOWEST)/.installed
+	$(LOWEST)/bin/python -m pytest -n $(JOBS) --dist worksteal --reruns 1 -rR -W default $(LOWEST_TESTS)
+
+$(LOWEST)/.installed: pyproject.toml
+	@test -n "$(PYTHON)" || { echo "Motes needs Python 3.11 or later; name one: make PYTHON=/path/to/python3.11"; exit 1; }
+	@$(PYTHON) -m venv $(LOWEST)
+	@$(LOWEST)/bin/python -m pip install --quiet --disable-pip-version-check uv
+	@$(LOWEST)/bin/uv pip install --quiet --python $(LOWEST)/bin/python --resolution lowest-direct --editable '.[all,test]'
+	@touch $@
+
+# Archives hold times; that of the commit makes them the same whenever and wherever they are built.
+dist: $(VENV)/.installed-dev
+	rm -rf dist
+	SOURCE_DATE_EPOCH=$$(git log -1 --format=%ct) $(BIN)/python -m build --no-isolation --outdir dist
+
 blender: $(VENV)/.installed-all
 	$(BIN)/python tools/blender_build.py -o dist
 
@@ -62,5 +86,5 @@ fuzz: $(VENV)/.installed-dev
 	$(BIN)/python tools/fuzz.py --minutes $(MINUTES) --output docs/fuzzing.md
 
 clean:
-	rm -rf $(VENV) .bpy out build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
+	rm -rf $(VENV) $(LOWEST) .bpy out build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +

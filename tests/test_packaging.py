@@ -48,8 +48,8 @@ def test_everything_an_extra_names_is_in_all_or_dev() -> None:
     extras = PROJECT["project"]["optional-dependencies"]
     (everything,) = extras["all"]
     named = set(re.fullmatch(r"motes\[(.*)\]", everything)[1].split(","))  # type: ignore[index]
-    assert named == set(extras) - {"all", "dev", "docs"}
-    assert "motes[all]" in extras["dev"]
+    assert named == set(extras) - {"all", "test", "dev", "docs"}
+    assert "motes[all,test]" in extras["dev"]
 
 
 def test_continuous_integration_runs_make_test() -> None:
@@ -57,6 +57,24 @@ def test_continuous_integration_runs_make_test() -> None:
     assert os.access(run, os.X_OK)
     assert run.read_text().splitlines()[-1] == "exec make test"
     assert "make test" in (ROOT / ".github" / "workflows" / "ci.yml").read_text()
+
+
+def test_the_newest_and_the_lowest_are_tried_every_week() -> None:
+    weekly = (ROOT / ".github" / "workflows" / "weekly.yml").read_text()
+    assert "cron:" in weekly
+    assert ".ci/run" in weekly
+    assert "make test-lowest" in weekly
+
+
+def test_everything_has_a_lowest_version() -> None:
+    """`make test-lowest` installs these."""
+    named = [
+        *PROJECT["project"]["dependencies"],
+        *(r for e in PROJECT["project"]["optional-dependencies"].values() for r in e),
+    ]
+    for requirement in named:
+        if not requirement.startswith("motes["):
+            assert re.match(r"[\w-]+>=[\d.]+( *;.*)?$", requirement), requirement
 
 
 def make(*arguments: str, **options: object) -> subprocess.CompletedProcess[str]:
@@ -77,6 +95,15 @@ def test_make_demo_and_test_install_first(tmp_path: Path) -> None:
     assert "--editable '.[dev]'" in test
     for check in ("ruff check", "ruff format --check", "mypy", "lint-imports", "tools/rooms.py", "pytest -n 2"):
         assert check in test
+
+
+@needs_make
+def test_make_test_lowest_runs_tests_that_exist(tmp_path: Path) -> None:
+    lines = make("-n", "test-lowest", f"LOWEST={tmp_path}/v").stdout.splitlines()
+    assert any("--resolution lowest-direct --editable '.[all,test]'" in line for line in lines)
+    files = re.findall(r"tests/test_\w+\.py", lines[-1])
+    assert len(files) >= 15
+    assert [name for name in files if not (ROOT / name).is_file()] == []
 
 
 @needs_make
