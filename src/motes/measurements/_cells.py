@@ -8,12 +8,11 @@ from __future__ import annotations
 
 import codecs
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from array import array
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import overload
 
 from motes.errors import FormatError
 from motes.files import reading
@@ -25,6 +24,8 @@ Known = Callable[[str], str]
 COMMENTS = ("#", "%", "//", "!")
 HEADER_HINT = "A header names the columns, such as theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg,brdf (docs/data.md), or a comment above the numbers"
 HEADER_LINES = 400  # that are looked at for the one that names the columns
+#: Rows whose cells are in memory at a time.
+PART = 1 << 14
 BLANKS, WIDE_BLANKS = "blanks", "two blanks or more"
 SEPARATORS = ("\t", ";", ",", "|", WIDE_BLANKS, BLANKS)
 _MARKS = (
@@ -34,8 +35,52 @@ _MARKS = (
     (codecs.BOM_UTF16_LE, "utf-16"),
     (codecs.BOM_UTF16_BE, "utf-16"),
 )
-_NUMBER = re.compile(r"[-+]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eEdD][-+]?\d+)?")
-_WITH_UNIT = re.compile(r"([-+]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eEdD][-+]?\d+)?)\s*([^\d\s.,+-].*)")
+NUMBER = re.compile(r"[-+]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eEdD][-+]?\d+)?")
+
+
+class Rows(Sequence[list[str]]):
+    """Rows of a text that are cut into cells when they are asked for: a cell of two characters takes 60 bytes as a text of its own.
+
+    Parameters
+    ----------
+    lines
+        The rows as they stand in the file.
+    separator
+        What is between their cells.
+    width
+        How many cells count; more are left off where they are empty.  None for all.
+    """
+
+    def __init__(self, lines: list[str], separator: str, width: int | None = None) -> None:
+        self._lines, self._separator, self._width = lines, separator, width
+
+    def __len__(self) -> int:
+        return len(self._lines)
+
+    @overload
+    def __getitem__(self, at: int) -> list[str]: ...
+    @overload
+    def __getitem__(self, at: slice) -> Rows: ...
+    def __getitem__(self, at: int | slice) -> list[str] | Rows:
+        if isinstance(at, slice):
+            return Rows(self._lines[at], self._separator, self._width)
+        return self._cut(self._lines[at])
+
+    def __iter__(self) -> Iterator[list[str]]:
+        return map(self._cut, self._lines)
+
+    def _cut(self, line: str) -> list[str]:
+        cells = _cells(line, self._separator)
+        return cells if self._width is None else cells[: _end(cells, self._width)]
+
+    def of_width(self, width: int) -> Rows:
+        """The same rows without empty cells beyond so many."""
+        return Rows(self._lines, self._separator, width)
+
+    def without(self, positions: Collection[int]) -> Rows:
+        """Without the rows at some positions."""
+        left = set(positions)
+        return Rows([line for k, line in enumerate(self._lines) if k not in left], self._separator, self._width)
 
 
 @dataclass
@@ -55,8 +100,8 @@ class Cells:
     """
 
     header: list[str]
-    rows: list[list[str]]
-    lines: list[int]
+    rows: Rows | list[list[str]]
+    lines: Sequence[int]
     notes: list[str] = field(default_factory=list)
     units: list[str] = field(default_factory=list)
 
@@ -114,13 +159,12 @@ def of_text(text: str, where: str, known: Known) -> Cells:
         )
     if commented:
         notes.append("The header stands in a comment, the last before the numbers")
-    rows, numbers = [], []
-    for number, cells in _split(lines, at + 1, separator):
-        if not any(cells):
-            continue
-        rows.append(cells)
-        numbers.append(number)
-    return _squared(Cells(header, rows, numbers, notes), where)
+    rows, numbers = [], array("q")
+    for number, row in _rows(lines, at + 1):
+        if any(_cells(row, _between(separator))):
+            rows.append(row)
+            numbers.append(number)
+    return _squared(Cells(header, Rows(rows, _between(separator)), numbers, notes), where)
 
 
 def of_sheet(sheet: Sequence[Sequence[str | float | None]], where: str, known: Known) -> Cells:
@@ -152,7 +196,7 @@ def is_numbers(text: str) -> bool:
     """Whether the beginning of a text holds nothing but rows of four numbers or more."""
     data = [line for line in _lines(text)[:-1] if line.strip() and not _comment(line)][:20]
     rows = [[c for c in re.split(r"[\s,;|]+", line) if c] for line in data]
-    return len(rows) >= 2 and all(len(row) >= 4 and all(_NUMBER.fullmatch(c) for c in row) for row in rows)
+    return len(rows) >= 2 and all(len(row) >= 4 and all(NUMBER.fullmatch(c) for c in row) for row in rows)
 
 
 def _lines(text: str) -> list[str]:
@@ -212,7 +256,8 @@ def _header(lines: Sequence[str], known: Known) -> tuple[int, str, list[str], bo
 
 def _matches_next(lines: Sequence[str], at: int, separator: str, cells: Sequence[str]) -> bool:
     """Whether the first row after a header has as many cells, or one more for a name of its own."""
-    row = next((c for _, c in _split(lines[: at + 50], at + 1, separator) if any(c)), None)
+    cut = (_cells(row, _between(separator)) for _, row in _rows(lines[: at + 50], at + 1))
+    row = next((c for c in cut if any(c)), None)
     n, most = len([c for c in cells if c]), len(cells)
     return row is not None and n <= len(row) <= most + 1
 
@@ -236,10 +281,15 @@ def _cells(line: str, separator: str, of_header: bool = False) -> list[str]:
     return next(reading.delimited([line], separator, f"the line that begins with {line[:40]!r}", blanks=True), [])
 
 
-def _split(lines: Sequence[str], start: int, separator: str) -> Iterator[tuple[int, list[str]]]:
-    """Line numbers and cells of the lines from `start` on that are no comments."""
-    row_separator = BLANKS if separator == WIDE_BLANKS else separator
-    for number, line in enumerate(lines[start:], start + 1):
+def _between(separator: str) -> str:
+    """What separates the cells of rows, by what separates those of the header."""
+    return BLANKS if separator == WIDE_BLANKS else separator
+
+
+def _rows(lines: Sequence[str], start: int) -> Iterator[tuple[int, str]]:
+    """Line numbers and the rows from line `start` on, without comments."""
+    for at in range(start, len(lines)):
+        line = lines[at]
         if not line or _comment(line):
             continue
         text = (
@@ -248,7 +298,7 @@ def _split(lines: Sequence[str], start: int, separator: str) -> Iterator[tuple[i
             else line.partition("#")[0]
         )
         if text.strip():
-            yield number, _cells(text, row_separator)
+            yield at + 1, text
 
 
 def _squared(table: Cells, where: str) -> Cells:
@@ -257,7 +307,7 @@ def _squared(table: Cells, where: str) -> Cells:
     while header and header[-1] == "" and all(len(r) < len(header) or r[len(header) - 1] == "" for r in rows):
         header = header[:-1]
     n = len(header)
-    rows = [r[: _end(r, n)] for r in rows]
+    rows = rows.of_width(n) if isinstance(rows, Rows) else [r[: _end(r, n)] for r in rows]
     if (
         rows and all(len(r) == n + 1 for r in rows) and _are_row_names([r[0] for r in rows])
     ):  # R's write.table: names of rows without a name of their column
@@ -267,15 +317,16 @@ def _squared(table: Cells, where: str) -> Cells:
         table.notes.append(
             f"The header stands {len(repeated)} more time{'s' if len(repeated) > 1 else ''} further down, passed over"
         )
-        rows = [r for k, r in enumerate(rows) if k not in set(repeated)]
-        table.lines = [line for k, line in enumerate(table.lines) if k not in set(repeated)]
+        left = set(repeated)
+        rows = rows.without(left) if isinstance(rows, Rows) else [r for k, r in enumerate(rows) if k not in left]
+        table.lines = [line for k, line in enumerate(table.lines) if k not in left]
     units: list[str] = []
     if (
         rows
         and len(rows[0]) <= n
         and any(rows[0])
         and all(c == "" or names.is_unit(c.strip("()[] ")) for c in rows[0])
-        and not any(_NUMBER.fullmatch(c) for c in rows[0])
+        and not any(NUMBER.fullmatch(c) for c in rows[0])
     ):
         units = [c.strip("()[] ") for c in rows[0]] + [""] * (n - len(rows[0]))
         rows, table.lines = rows[1:], table.lines[1:]
@@ -295,7 +346,7 @@ def _are_row_names(cells: Sequence[str]) -> bool:
     """Whether the first cells of the rows number them from 0 or 1 on, or are words."""
     if all(c.isascii() and c.isdigit() and len(c) < 10 for c in cells):
         return [int(c) - int(cells[0]) for c in cells] == list(range(len(cells))) and int(cells[0]) in (0, 1)
-    return not any(_NUMBER.fullmatch(c) for c in cells)
+    return not any(NUMBER.fullmatch(c) for c in cells)
 
 
 def _end(row: Sequence[str], n: int) -> int:
@@ -303,83 +354,6 @@ def _end(row: Sequence[str], n: int) -> int:
     while end > n and row[end - 1] == "":
         end -= 1
     return end
-
-
-_missing = frozenset(names.TABLES["missing"])
-
-
-class Numbers:
-    """Cells as numbers, by one decision for the table on what a comma means."""
-
-    def __init__(self, table: Cells, where: str, columns: Sequence[int]) -> None:
-        self.table, self.where = table, where
-        self.decimal_comma = False
-        comma: tuple[int, str] | None = None
-        point: tuple[int, str] | None = None
-        for line, row in zip(table.lines, table.rows, strict=True):
-            for column in columns:
-                cell = row[column]
-                if "," in cell:
-                    comma = comma or (line, cell)
-                elif "." in cell:
-                    point = point or (line, cell)
-            if comma and point:
-                break
-        if comma is not None:
-            if (
-                point is not None
-                and any(re.search(r"\d\.\d|^\.", p) for p in (point[1],))
-                and re.search(r"\d,\d", comma[1])
-            ):
-                raise FormatError(
-                    f"{where} has numbers with decimal commas ({comma[1][:20]!r}, line {comma[0]}) and with decimal points "
-                    f"({point[1][:20]!r}, line {point[0]})",
-                    "Write all of them in one way",
-                )
-            self.decimal_comma = True
-
-    def column(self, at: int, stop: int | None = None) -> tuple[NDArray[np.float64], str]:
-        """A column, or several, as float64 with NaN where a cell says that there is no number; and the unit in its cells."""
-        columns = range(at, at + 1 if stop is None else stop)
-        texts = [row[c] for row in self.table.rows for c in columns]
-        if self.decimal_comma:
-            texts = [t.replace(",", ".") for t in texts]
-        shape = (len(self.table.rows), len(columns))
-        try:
-            return np.array(texts, np.float64).reshape(shape), ""
-        except ValueError:
-            pass
-        numbers = np.empty(len(texts))
-        found = ""
-        for k, text in enumerate(texts):
-            numbers[k], unit = self._number(text, k // len(columns), columns[k % len(columns)])
-            if unit and found and unit != found:
-                raise self._error(
-                    k // len(columns), f"{unit!r} stands where {found!r} stands above", columns[k % len(columns)]
-                )
-            found = found or unit
-        return numbers.reshape(shape), found
-
-    def _number(self, text: str, row: int, column: int) -> tuple[float, str]:
-        if text.lower() in _missing:
-            return np.nan, ""
-        plain = text.replace("\u2212", "-").replace("\u00a0", "").replace("\u202f", "")
-        match = _NUMBER.fullmatch(plain)
-        unit = ""
-        if match is None:
-            both = _WITH_UNIT.fullmatch(plain)
-            if both and names.is_unit(both[2]):
-                plain, unit = both[1], both[2].strip()
-        try:
-            return float(re.sub("[dD]", "e", plain)), unit
-        except ValueError:
-            raise self._error(row, f"{text[:40]!r} is not a number", column) from None
-
-    def _error(self, row: int, what: str, column: int) -> FormatError:
-        return FormatError(
-            f"{self.where}, line {self.table.lines[row]}: {what} (column {self.table.header[column] or column + 1})",
-            "Leave a cell empty where nothing was measured",
-        )
 
 
 def text_of(path: Path) -> tuple[str, list[str]]:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from motes.errors import FormatError
 from motes.measurements import _cells, _roles
 from motes.measurements import _column_names as names
+from motes.measurements._cell_numbers import Numbers
 
 _DURATION = re.compile(r"(-?)(\d{1,6}):(\d{2})(?::(\d{2}(?:\.\d+)?))?")
 
@@ -30,7 +31,7 @@ def hours_of(table: _cells.Cells, where: str, roles: _roles.Roles) -> tuple[NDAr
     stamps = _stamps(table, where, at) if role == "time" else None
     if stamps is not None:
         return stamps, "h"
-    values, in_cells = _cells.Numbers(table, where, [at]).column(at)
+    values, in_cells = Numbers(table, where, [at]).column(at)
     bad = ~np.isfinite(values[:, 0])
     if bad.any():
         raise FormatError(

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from motes.errors import FormatError
 from motes.measurements import _cells, _common_directions, _roles
 from motes.measurements import _column_names as names
+from motes.measurements._cell_numbers import Numbers
 from motes.measurements._column_names import Column
 
 Floats = NDArray[np.float64]
@@ -44,7 +45,7 @@ def samples(
     table: _cells.Cells,
     where: str,
     roles: _roles.Roles,
-    numbers: _cells.Numbers,
+    numbers: Numbers,
     pairs: Floats,
     hours: Floats,
     wavelength_unit: str | None,
@@ -72,7 +73,7 @@ def _values(
     table: _cells.Cells,
     where: str,
     roles: _roles.Roles,
-    numbers: _cells.Numbers,
+    numbers: Numbers,
     pairs: Floats,
     missing: Floats,
     notes: list[str],
@@ -106,7 +107,7 @@ def _values(
     return values * factors, factors
 
 
-def _block(numbers: _cells.Numbers, columns: list[int], table: _cells.Cells, where: str) -> Floats:
+def _block(numbers: Numbers, columns: list[int], table: _cells.Cells, where: str) -> Floats:
     """Columns (N, C) as numbers; neighbours at once."""
     parts, start = [], 0
     for k in range(1, len(columns) + 1):
@@ -126,7 +127,7 @@ def _uncertainties(
     table: _cells.Cells,
     where: str,
     roles: _roles.Roles,
-    numbers: _cells.Numbers,
+    numbers: Numbers,
     values: Floats,
     factors: Floats,
     notes: list[str],
@@ -201,7 +202,7 @@ def _long(
     table: _cells.Cells,
     where: str,
     roles: _roles.Roles,
-    numbers: _cells.Numbers,
+    numbers: Numbers,
     rows: Samples,
     role: str,
     wavelength_unit: str | None,

@@ -20,6 +20,7 @@ from motes.errors import FormatError
 from motes.files import spreadsheet
 from motes.measurements import _cells, _common_directions, _roles, _table_values, policy
 from motes.measurements import _column_names as names
+from motes.measurements._cell_numbers import Numbers
 from motes.measurements._strange_header import strange_header
 from motes.measurements._table_times import hours_of
 from motes.measurements.measurement import Measurement
@@ -123,13 +124,14 @@ def read_table(
             raise FormatError(f"{path} is no spreadsheet, and has no sheet {sheet!s:.40}", "Leave sheet out")
         text, notes = _cells.text_of(path)
         table = _cells.of_text(text, where, _knows(given))
+        del text
         table.notes[:0] = notes
     roles = _roles.assign(table, where, given)
     if not table.rows:
         raise FormatError(f"{path} has a header and no row below it", "It needs a row a sample")
     everything = [*roles.angles.values(), *roles.values, *roles.uncertainties]
     everything += [at for role, at in roles.single.items() if role in ("weight", "wavelength")]
-    numbers = _cells.Numbers(table, where, everything)
+    numbers = Numbers(table, where, everything)
     notes = [*table.notes, *roles.notes]
     if numbers.decimal_comma:
         notes.append("Its numbers have decimal commas")
@@ -146,7 +148,9 @@ def read_table(
     samples = _table_values.samples(
         table, where, roles, numbers, pairs, hours, wavelength_unit, _fillers(missing), notes
     )
-    return _measured(path, table, roles, samples, weights, time_unit, notes)
+    described = _roles.described(roles, table.header)
+    del table, numbers, reader, pairs, hours  # the text, which takes as much as what comes of it
+    return _measured(path, described, samples, weights, time_unit, notes)
 
 
 def _fillers(missing: float | Sequence[float] | None) -> Floats:
@@ -161,8 +165,7 @@ def _fillers(missing: float | Sequence[float] | None) -> Floats:
 
 def _measured(
     path: Path,
-    table: _cells.Cells,
-    roles: _roles.Roles,
+    described: list[str],
     samples: _table_values.Samples,
     weights: Floats,
     time_unit: str,
@@ -202,7 +205,7 @@ def _measured(
             "path": str(path),
             "name": path.stem,
             "source": SOURCE,
-            "columns": _roles.described(roles, table.header),
+            "columns": described,
             "notes": notes,
         },
     )
@@ -232,7 +235,7 @@ class _Angles:
         table: _cells.Cells,
         where: str,
         roles: _roles.Roles,
-        numbers: _cells.Numbers,
+        numbers: Numbers,
         unit: str | None,
         notes: list[str],
     ) -> None:
@@ -293,9 +296,13 @@ class _Angles:
             self.notes.append("Negative polar angles are taken for the opposite azimuth")
         if from_mirror:
             self.notes.append("Azimuths count from the side of the mirror direction, as given by the caller")
-        wi = directions.from_spherical(angle["theta_i"], angle["phi_i"])
-        wo = directions.from_spherical(angle["theta_r"], angle["phi_r"] + (np.pi if from_mirror else 0.0))
-        return np.concatenate([wi, wo], axis=1)
+        pairs = np.empty((n, 6))
+        turn = np.pi if from_mirror else 0.0
+        for start in range(0, n, _cells.PART):  # by parts, for what sines and cosines take in between
+            at = slice(start, start + _cells.PART)
+            pairs[at, :3] = directions.from_spherical(angle["theta_i"][at], angle["phi_i"][at])
+            pairs[at, 3:] = directions.from_spherical(angle["theta_r"][at], angle["phi_r"][at] + turn)
+        return pairs
 
     def _azimuth_of_phase(self, theta_i: Floats, theta_r: Floats) -> Floats:
         """phi_r - phi_i >= 0 of the angle between light and viewer, as photometry of planets counts: which side is not known, and is all one to
