@@ -36,7 +36,7 @@ if TYPE_CHECKING:
         Schlick,
         TorranceSparrow,
     )
-    from motes.planning import Design, plan
+    from motes.planning import Design, Schedule, plan, plan_times
     from motes.viewer.viewing import View, view
 
 _HOMES = {
@@ -68,6 +68,8 @@ _HOMES = {
     "TorranceSparrow": "models",
     "Design": "planning",
     "plan": "planning",
+    "plan_times": "planning",
+    "Schedule": "planning",
     "View": "viewer",
     "view": "viewer",
 }
@@ -114,6 +116,7 @@ __all__ = [
     "Measurement",
     "MotesError",
     "OrenNayar",
+    "Schedule",
     "Schlick",
     "TorranceSparrow",
     "View",
@@ -124,6 +127,7 @@ __all__ = [
     "fit",
     "load",
     "plan",
+    "plan_times",
     "read",
     "view",
 ]

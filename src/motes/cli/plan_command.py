@@ -8,6 +8,7 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from motes.cli.options import Common, Whole
+from motes.errors import MotesError
 
 
 def plan(
@@ -23,6 +24,9 @@ def plan(
     rival: Annotated[tuple[str, ...], Parameter(negative="")] = (),
     check: float = 0.15,
     repeats: Annotated[bool, Parameter(negative="")] = False,
+    when: str | None = None,
+    hours: str | None = None,
+    scanned: str | None = None,
     output: Annotated[str, Parameter(name=["--output", "-o"])] = "plan.csv",
     common: Common = Common(),  # noqa: B008 (an immutable value)
 ) -> int:
@@ -54,17 +58,50 @@ def plan(
         The share of shots that lie where a wrong model would be caught.
     repeats
         A direction may be measured more than once.
+    when
+        A material that changes, such as that of a fit to the scans so far: when to scan it, not where; COUNT is how many scans.
+    hours
+        FIRST,LAST: between which hours scans can be made; those of the trends when not given.
+    scanned
+        Hours of scans that are made already, such as 0,1,2.5.
     output
         The table to write, NAME.csv; NAME.json and NAME.svg lie beside it.
     """
-    from motes.cli import console
+    from motes.cli import console, paths
     from motes.cli.statuses import DONE
-    from motes.errors import MotesError
     from motes.planning import plan as planned
+    from motes.planning import plan_times
+    from motes.planning.planner import USUAL_NOISE
 
     table = Path(output)
     if table.suffix.lower() != ".csv":
         raise MotesError(f"{table} is no table by its name", "Write -o NAME.csv")
+    if when is not None:
+        schedule = plan_times(
+            paths.material_of(when),
+            count=count,
+            hours=_pair(hours),
+            rig=rig,
+            scanned=_hours(scanned, "--scanned"),
+            goal=goal,
+            noise=USUAL_NOISE if noise is None else noise,
+            floor=floor,
+        )
+        written = [schedule.table(table), schedule.save(table.with_suffix(".json"))]
+        if common.json:
+            console.print_json({**schedule.to_dict(), "files": [str(file) for file in written]})
+        elif not common.quiet:
+            console.print_facts(
+                [
+                    *schedule.summary(),
+                    *(("note", said) for said in schedule.findings),
+                    *(("written", str(file)) for file in written),
+                ]
+            )
+        return DONE
+    for option, given in (("--hours", hours), ("--scanned", scanned)):
+        if given is not None:
+            raise MotesError(f"{option} {given} is for planning times", "Name what changes by --when material.json")
     design = planned(
         model,
         rig,
@@ -91,3 +128,20 @@ def plan(
         console.print_table(expected)
         console.print_facts([*(("note", said) for said in design.findings), *(("written", str(f)) for f in written)])
     return DONE
+
+
+def _hours(text: str | None, option: str) -> list[float]:
+    """Hours between commas."""
+    try:
+        return [] if text is None else [float(hour) for hour in text.split(",")]
+    except ValueError:
+        raise MotesError(f"{option} {text} is no list of hours", f"Write {option} 0,1,2.5") from None
+
+
+def _pair(text: str | None) -> tuple[float, float] | None:
+    given = _hours(text, "--hours")
+    if text is None:
+        return None
+    if len(given) != 2:
+        raise MotesError(f"--hours {text} is no pair of hours", "Write --hours 0,48")
+    return given[0], given[1]

@@ -3,5 +3,6 @@
 from motes.planning.design import Design
 from motes.planning.offers import Offer
 from motes.planning.planner import plan
+from motes.planning.schedule import Schedule, plan_times
 
-__all__ = ["Design", "Offer", "plan"]
+__all__ = ["Design", "Offer", "Schedule", "plan", "plan_times"]
