@@ -23,7 +23,19 @@ from results import EFFORTS, Section
 
 HERE = Path(__file__).resolve().parent
 OUT = HERE.parent / "out" / "bench"
-SCRIPTS = ("evaluate", "sampling", "texels", "growth", "fits", "joint", "starting", "memory", "scale_out", "gpu")
+SCRIPTS = (
+    "evaluate",
+    "dust",
+    "sampling",
+    "texels",
+    "growth",
+    "fits",
+    "joint",
+    "starting",
+    "memory",
+    "scale_out",
+    "gpu",
+)
 # Scripts that print Markdown, with what to ask of them by effort; where they are missing, they are left out.
 PRINTING: dict[str, tuple[str, dict[str, list[str]]]] = {
     "render": ("Rendering", {"quick": ["--only", "furnace"], "normal": ["--only", "speed", "--rounds", "7"]}),

@@ -27,6 +27,7 @@ ROOT = Path(__file__).resolve().parents[1]
 BENCHMARKS = ROOT / "benchmarks"
 PARTS = {
     "evaluate": "evaluation",
+    "dust": "dust_cost",
     "sampling": "sampling",
     "texels": "texel_fits",
     "growth": "growth",

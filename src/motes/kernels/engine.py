@@ -49,6 +49,8 @@ __all__ = [
 #: The printer of each kind of kernel, and what it is a trace of.
 _PRINTERS = {
     "evaluation": (numba_code.evaluation, Kind.VALUE),
+    "numbers": (numba_code.numbers, Kind.VALUE),
+    "apart": (numba_code.apart, Kind.VALUE),
     "gradient": (numba_code.gradient, Kind.VALUE),
     "density": (numba_code.evaluation, Kind.DENSITY),
     "sampling": (numba_code.sampling, Kind.SAMPLE),
@@ -109,7 +111,9 @@ def evaluate(model: Parametrised, wi: ArrayLike, wo: ArrayLike, out: Array | Non
             f"out is an array {found}, expected {job.scalar} {shape}, writeable", "Leave out= to have one made"
         )
     target = target_of(out, shape, job)
-    if job.count:
+    if job.count and job.apart and _worth_apart(job):
+        _evaluate_apart(job, target)
+    elif job.count:
         kernel = _kernel("evaluation", job)
         constants = kernel.constants(job.uniform)
         varying = job.rows(kernel.varying)
@@ -178,6 +182,31 @@ def call(kind: Kind, model: Parametrised, a: Array, b: Array) -> list[Array]:
     return [density(model, a, b) if kind is Kind.DENSITY else evaluate(model, a, b)]
 
 
+def _evaluate_apart(job: Job, target: Array) -> None:
+    """Rows of directions, each with parameters of its own: what depends on them alone is computed once for a row, in float64."""
+    numbers, kernel = _kernels_apart(job)
+    constants, values = numbers.constants(job.uniform), job.of_rows(numbers.varying)
+    rows, length = values.shape[1], job.shape[-1]
+    at_once = max(1, CHUNK // length)
+    nothing = np.zeros((3, at_once))  # in the place of directions, on which the numbers do not depend
+
+    def work(task: int, room: int) -> None:
+        first, last = task * at_once, min(rows, (task + 1) * at_once)
+        count = last - first
+        here = np.ascontiguousarray(values[:, first:last])
+        table = np.empty((numbers.width, count))
+        directions = (address(nothing), 1, at_once) * 2
+        numbers.driver(*directions, address(constants), address(here), count, address(table), 1, count, room, 0, count)
+        own = np.ascontiguousarray(table.T, job.scalar)
+        (wi, *wi_steps), (wo, *wo_steps) = job.beginnings(first, last)
+        kernel.driver(
+            *(address(wi), *wi_steps), *(address(wo), *wo_steps),
+            address(own), numbers.width, *place(target), length, room, first, last,
+        )  # fmt: skip
+
+    job.spread(-(-rows // at_once), work)
+
+
 def vjp(model: Parametrised, wi: ArrayLike, wo: ArrayLike, upstream: ArrayLike) -> dict[str, Array]:
     """Gradients by the parameters: the vector-Jacobian product of `evaluate`.
 
@@ -236,6 +265,7 @@ class _Kernel:
     _constants: Callable[..., tuple[Any, ...]]
     _pullback: Callable[..., tuple[Any, ...]]
     _scalar: np.dtype[Any]
+    width: int = 0
 
     def constants(self, value: Callable[[tracing.TracedParameter], float]) -> Array:
         """What the driver wants beforehand, from the values of parameters."""
@@ -252,6 +282,7 @@ class _Kernel:
 
 
 _kernels: dict[tuple[Any, ...], _Kernel] = {}
+_pairs: dict[tuple[Any, ...], tuple[_Kernel, _Kernel]] = {}
 _lock = threading.RLock()
 
 
@@ -271,17 +302,41 @@ def _kernel(kind: str, job: Job) -> _Kernel:
     kernel = _kernels.get(key)
     if kernel is None:
         with _lock:
-            kernel = _kernels.get(key) or _made(kind, job)
+            kernel = _kernels.get(key) or _made(kind, job, _trace(kind, job))
             _kernels[key] = kernel
     return kernel
 
 
-def _made(kind: str, job: Job) -> _Kernel:
-    printer, what = _PRINTERS[kind]
-    trace = recorded(what, job.model, job.channels) or tracing.trace(
-        job.model, job.channels
-    )  # which says what is wrong
-    printed = printer(trace, job.varying, job.scalar.name)
+_worth: dict[tuple[Any, ...], bool] = {}
+
+
+def _worth_apart(job: Job) -> bool:
+    key = (tracing.key(job.model, job.channels), job.varying)
+    if key not in _worth:
+        _worth[key] = numba_code.worth_apart(tracing.trace(job.model, job.channels), job.varying)
+    return _worth[key]
+
+
+def _kernels_apart(job: Job) -> tuple[_Kernel, _Kernel]:
+    """The kernels of the numbers of rows, and of the rows: of one graph, so that both have the numbers in one order."""
+    key = (tracing.key(job.model, job.channels), job.varying, job.scalar)
+    pair = _pairs.get(key)
+    if pair is None:
+        with _lock:
+            trace = _trace("apart", job)
+            pair = _pairs.get(key) or (_made("numbers", job, trace), _made("apart", job, trace))
+            _pairs[key] = pair
+    return pair
+
+
+def _trace(kind: str, job: Job) -> tracing.Trace:
+    found = recorded(_PRINTERS[kind][1], job.model, job.channels)
+    return found or tracing.trace(job.model, job.channels)  # which says what is wrong
+
+
+def _made(kind: str, job: Job, trace: tracing.Trace) -> _Kernel:
+    scalar = np.dtype(np.float64) if kind == "numbers" else job.scalar
+    printed = _PRINTERS[kind][0](trace, job.varying, scalar.name)
     uniform = tuple(p for p in trace.parameters if p.slot not in job.varying)
     names = {p.symbol: f"p{k}" for k, p in enumerate(uniform)}
     seeds = {symbol: trace.graph.leaf(f"total[{k}]") for k, symbol in enumerate(printed.totals)}
@@ -291,9 +346,9 @@ def _made(kind: str, job: Job) -> _Kernel:
     names |= {seed: f"d{k}" for k, seed in enumerate(seeds.values())}
     pullback = numpy_code.scalar_function("pullback", names, [slopes.get(p.symbol, zero) for p in uniform])
     driver = getattr(
-        module(printed.source, f"the {kind} of {type(job.model).__name__} in {job.scalar.name}"), printed.driver
+        module(printed.source, f"the {kind} of {type(job.model).__name__} in {scalar.name}"), printed.driver
     )
-    return _Kernel(driver, printed.varying, printed.totals, uniform, constants, pullback, job.scalar)
+    return _Kernel(driver, printed.varying, printed.totals, uniform, constants, pullback, scalar, printed.width)
 
 
 def module(source: str, title: str, uses: Sequence[Any] = ()) -> Any:

@@ -19,6 +19,8 @@ from motes.parameters import Parametrised, Slot
 CHUNK = 32 * TILE  # directions that a thread takes at a time
 # Rows of an outer product at least so long are computed where they are, one call of the driver each; shorter ones are copied, a chunk at a time.
 LONG = TILE // 2
+# Rows with parameters of their own at least so long are computed one by one, with what depends on parameters alone computed once for each.
+SHORTEST_ROW = 32
 Array = NDArray[Any]
 
 
@@ -151,6 +153,35 @@ class Job:
             row.reshape(self.shape)[...] = value
         return rows
 
+    @cached_property
+    def apart(self) -> bool:
+        """Whether the parameters that vary are uniform over each row of the last axis, and rows are long enough for that to matter."""
+        shapes = [_batch(self.slots[name]) for name in self.varying]
+        return bool(shapes) and self.shape[-1] >= SHORTEST_ROW and all(shape[-1] == 1 for shape in shapes)
+
+    def of_rows(self, parameters: Sequence[TracedParameter]) -> Array:
+        """The values (P, rows) of varying parameters that are uniform over each row of the last axis, in float64."""
+        shape = self.shape[:-1]
+        values = np.empty((len(parameters), int(np.prod(shape))))
+        for row, parameter in zip(values, parameters, strict=True):
+            slot = self.slots[parameter.slot]
+            value = np.asarray(slot.value)
+            value = value[..., parameter.channel or 0] if slot.parameter.per_channel else value
+            row.reshape(shape)[...] = value[..., 0]
+        return values
+
+    def beginnings(self, first: int, last: int) -> tuple[tuple[Array, int, int], tuple[Array, int, int]]:
+        """Of `wi` and `wo`: where rows of the last axis begin in memory, step and stride in items; see `place`."""
+        rows = np.unravel_index(np.arange(first, last), self.shape[:-1])
+        found = []
+        for w in (self.wi, self.wo):
+            w = w.reshape(*self.shape, 3)  # a view, see `_Rows.of`
+            at = np.full(last - first, address(w), np.int64)
+            for k, step in zip(rows, w.strides[:-2], strict=True):
+                at += k * step
+            found.append((at, w.strides[-2] // w.itemsize, w.strides[-1] // w.itemsize))
+        return found[0], found[1]
+
     def gathered(self, sums: dict[TracedParameter, float], slopes: dict[TracedParameter, Array]) -> dict[str, Array]:
         """Derivatives by slot, in the shape of the values."""
         gradients = {name: np.zeros(np.shape(slot.value)) for name, slot in self.slots.items()}
@@ -168,9 +199,11 @@ class Job:
 
     def run(self, work: Callable[[int, int], None]) -> None:
         """Call ``work(chunk, room)`` for every chunk, on all cores; `room` is the address of scratch memory."""
-        workers.spread(
-            self.chunks, lambda chunk, room: work(chunk, address(room)), lambda: np.empty(self._items, self.scalar)
-        )
+        self.spread(self.chunks, work)
+
+    def spread(self, tasks: int, work: Callable[[int, int], None]) -> None:
+        """The same for any number of tasks."""
+        workers.spread(tasks, lambda task, room: work(task, address(room)), lambda: np.empty(self._items, self.scalar))
 
 
 def _batch(slot: Slot) -> tuple[int, ...]:

@@ -8,13 +8,16 @@ parameters alone is not in it: the engine computes these *constants* in float64 
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from motes.graph import nan, tracing
 from motes.graph.tracing import DIRECTIONS, PARAMETERS, Symbol, Trace, TracedParameter
 from motes.printing import elementary
 from motes.printing.printer import ARITHMETIC, Target, statements
 
+# Operations on varying parameters alone from which on they are computed once for a row of directions, not at each.
+LEAST_APART = 200
+_VARYING = 4  # a bit beside those of a model's leaves
 TILE = 1024  # directions; their components and results fit the level-1 cache together with what is spilled
 
 _TEMPLATES = ARITHMETIC | {
@@ -105,6 +108,17 @@ def evaluate(wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, varying,
             scatter({channels}, f, out + ITEM * start * out_step, out_step, out_stride, count)
 """
 
+# Rows of `length` directions, each with values of its own for what is uniform over it: `width` constants, and where its directions begin.
+_APART = """
+@numba.njit("void({signature})", cache=True, nogil=True, **options)
+def apart(wi_at, wi_step, wi_stride, wo_at, wo_step, wo_stride, constants, width, out, out_step, out_stride, length, room, first, last):
+    for k in range(first, last):
+        evaluate(
+            load(np.int64, wi_at, k - first, "apart", 1), wi_step, wi_stride, load(np.int64, wo_at, k - first, "apart", 1), wo_step, wo_stride,
+            constants + ITEM * width * (k - first), 0, 0, out + ITEM * k * length * out_step, out_step, out_stride, room, 0, length,
+        )
+"""
+
 _GRADIENT = """
 @numba.njit("void({signature})", cache=True, nogil=True, **options)
 def gradient(
@@ -152,6 +166,8 @@ class Kernel:
         Parameters with a value for every direction, a row of memory each, in this order.
     totals
         Those of the constants, for a gradient, whose derivatives the driver adds up; others have none.
+    width
+        How many numbers the driver computes at a place, for `numbers`.
     """
 
     source: str
@@ -159,6 +175,7 @@ class Kernel:
     constants: tuple[Symbol, ...]
     varying: tuple[TracedParameter, ...]
     totals: tuple[Symbol, ...] = ()
+    width: int = 0
 
 
 def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
@@ -199,6 +216,34 @@ def _forward(trace: Trace, varying: Collection[str]) -> tuple[str, list[Symbol],
     body = [*_loads(trace, lanes, given, rows), *lines]
     body += [f'store(F, f, {_row("f_row", c)}n, {result}, "span", {c}, {lanes})' for c, result in enumerate(results)]
     return _span("i, i_row, o, o_row, constants, varying, row, f, f_row, count", loads, body), constants, rows
+
+
+def numbers(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
+    """The kernel that computes, at each place where parameters vary, what `apart` takes as constant there; in rows, one for each number."""
+    found = _constants(trace)
+    one, zero = trace.graph.constant(1.0), trace.graph.constant(0.0)
+    outputs = tuple(trace.graph.where(c, one, zero) if c.op in ("lt", "le", "gt", "ge") else c for c in found)
+    return replace(evaluation(replace(trace, outputs=outputs), varying, scalar), width=len(outputs))
+
+
+def apart(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
+    """The kernel that evaluates a model at rows of directions, with parameters that are uniform over each row."""
+    kernel = evaluation(trace, (), scalar)
+    return Kernel(_joined(kernel.source, _APART.format(signature=_signature(15))), "apart", (), ())
+
+
+def worth_apart(trace: Trace, varying: Collection[str]) -> bool:
+    """Whether much of what a model computes depends on the parameters that vary, and not on directions."""
+    leaves = trace.leaves() | {p.symbol: _VARYING for p in trace.parameters if p.slot in varying}
+    bits = tracing.dependence(trace.outputs, leaves)
+    return sum(bool(bit & _VARYING and not bit & DIRECTIONS) for bit in bits.values()) >= LEAST_APART
+
+
+def _constants(trace: Trace) -> list[Symbol]:
+    """What depends on parameters alone."""
+    leaves = trace.leaves()
+    outputs = _without_division(trace.outputs, leaves)
+    return tracing.frontier(outputs, tracing.dependence(outputs, leaves), PARAMETERS)
 
 
 def gradient(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
