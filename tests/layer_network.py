@@ -15,11 +15,20 @@ NUMBERS = json.loads((Path(motes.__file__).parent / "models/data/multiple_scatte
 
 
 def stretched(mu: Floats) -> Floats:
-    return (1.8 * mu - 0.4) / (0.4 + mu)
+    return np.sqrt(6.8 * mu / (0.7 + mu)) - 1
+
+
+def network(features: list[Floats], numbers: dict[str, list[list[float]]]) -> Floats:
+    h = (np.stack(features, -1) - numbers["mean"]) / numbers["deviation"]
+    for weights, offsets in zip(numbers["weights"], numbers["offsets"], strict=True):
+        last = weights is numbers["weights"][-1]
+        h = h @ np.array(weights) + offsets
+        h = h if last else h / np.hypot(1, h)
+    return h
 
 
 def outputs(tau: Floats, w: Floats, g: Floats) -> tuple[Floats, Floats, Floats, Floats, Floats]:
-    """Coefficients of E and of t (N, 6), c and d (N, 3), and what is lost of uniform light (N,).  No share is below 0."""
+    """Coefficients of E, of t and of the first order (N, 7), c and d (N, 3)."""
     loss, opacity = 1 - w, 1 - w * g
 
     def tangent(k2: Floats) -> Floats:
@@ -32,24 +41,26 @@ def outputs(tau: Floats, w: Floats, g: Floats) -> tuple[Floats, Floats, Floats, 
     through, lost = (1 - k2q2) / below, 2 * q * (3 * opacity * q + np.sqrt(3)) / below
     features = [np.sqrt(np.maximum(loss / opacity, 1e-10)), w, g, tau / (1 + tau), tau * opacity / (1 + tau * opacity)]
     features += [through, 1 - through - loss * lost, np.exp(-tau)]
-    h = (np.stack(features, -1) - NUMBERS["mean"]) / NUMBERS["deviation"]
-    for weights, offsets in zip(NUMBERS["weights"], NUMBERS["offsets"], strict=True):
-        last = weights is NUMBERS["weights"][-1]
-        h = h @ np.array(weights) + offsets
-        h = h if last else h / np.hypot(1, h)
+    h = network(features, NUMBERS)
+    s = w[:, None] * network([g, np.exp(-tau), 1 / (1 + tau), 1 / (1 + 8 * tau), 1 / (1 + 64 * tau)], NUMBERS["once"])
     k2 = 3 * loss * opacity / (1 + 2 * loss)
     q = tangent(k2)
     k2q2 = np.maximum(k2, 1e-10) * q**2
     deep = w * (1 - k2q2) / (1 + k2q2 + 0.5 * np.sqrt(3) * opacity * q)
-    met = w**2 * tau * opacity / (1 + tau * opacity)
-    return met[:, None] * h[:, :6], deep[:, None] * h[:, 6:12], h[:, 12:15], h[:, 15:18], loss * lost * h[:, 18]
+    thick = (tau * opacity / (1 + tau * opacity))[:, None]
+    scattered = w[:, None]
+    e, t, n = (np.zeros((len(tau), 7)) for _ in range(3))
+    e[:, :6], t[:, :6], n[:, :4] = scattered**2 * thick * h[:, :6], deep[:, None] * h[:, 6:12], h[:, 12:16]
+    unity = np.eye(7)[0]
+    unsaid = unity - s - e - t - loss[:, None] * (unity + scattered * lost[:, None] * n)
+    return e + scattered * thick * unsaid, t + (1 - thick) * unsaid, s, h[:, 16:19], h[:, 19:22]
 
 
 def functions(mu: Floats, tau: Floats, w: Floats, g: Floats, least: float = 0.0) -> tuple[Floats, Floats]:
     """E and t."""
     e, t, _, _, _ = outputs(tau, w, g)
     hit = 1 - np.exp(-tau / mu)
-    powers = np.vander(stretched(mu), 6, increasing=True)
+    powers = np.vander(stretched(mu), 7, increasing=True)
     up, down = (np.maximum(np.sum(c * powers, -1), least) for c in (e, t))
     return hit * up, 1 - hit + hit * down
 
@@ -63,17 +74,17 @@ def rule() -> tuple[Floats, Floats]:
 
 def returned(tau: Floats, w: Floats, g: Floats) -> Floats:
     """The share of uniform light that leaves on its own side."""
-    lost = outputs(tau, w, g)[4]
+    e, _, s, _, _ = outputs(tau, w, g)
     nodes, measure = rule()
-    T = np.stack([functions(np.full_like(tau, node), tau, w, g, -np.inf)[1] for node in nodes], -1)
     hit = np.stack([1 - np.exp(-tau / node) for node in nodes], -1)
-    back: Floats = np.clip(1 - np.maximum(T @ measure, 0) - lost, 0, w * (hit @ measure))
+    up = (e + s) @ np.vander(stretched(nodes), 7, increasing=True).T * hit
+    back: Floats = np.clip(up @ measure, 0, w * (hit @ measure))
     return back
 
 
 def brdf(theta_i: Floats, theta_r: Floats, dphi: Floats, tau: Floats, w: Floats, g: Floats, base: Floats) -> Floats:
     """A layer over a Lambertian base (N,) [1/sr], without what is scattered once."""
-    _, _, c, d, _ = outputs(tau, w, g)
+    _, _, _, c, d = outputs(tau, w, g)
     nodes, measure = rule()
     E = np.stack([functions(np.full_like(tau, node), tau, w, g, -np.inf)[0] for node in nodes], -1)
     v = stretched(nodes)

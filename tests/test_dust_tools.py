@@ -91,6 +91,20 @@ def test_the_page_states_what_the_tool_measures(
         np.testing.assert_allclose(np.array(figures, float), np.array(measured, float), rtol=0.06, err_msg=name)
 
 
+def test_the_page_states_what_the_furnace_keeps(errors: ModuleType, capsys: pytest.CaptureFixture[str]) -> None:
+    """Every figure of its table; and single scattering, which loses most light, is told from it."""
+    errors.furnace("multiple")
+    printed = [line for line in capsys.readouterr().out.splitlines() if re.match(r"\| [-\d]", line)]
+    stated = PAGE.partition("<!-- furnace -->\n")[2].partition("\n\n")[0].splitlines()[2:]
+    assert len(printed) == len(stated) == 6
+    for one, other in zip(printed, stated, strict=True):
+        measured, figures = (np.array(line.strip("|").split("|"), float) for line in (one, other))
+        np.testing.assert_allclose(figures, measured, rtol=0.1, atol=2e-3)
+    errors.furnace("single")
+    lost = [line for line in capsys.readouterr().out.splitlines() if re.match(r"\| [-\d]", line)]
+    assert min(float(line.split("|")[2]) for line in lost) > 50
+
+
 def test_a_highlight_under_dust_is_judged(errors: ModuleType) -> None:
     """In the thinnest dust nothing is wrong but noise; in thick dust single scattering is far too dark."""
     thin = errors.glossy_row("GGX", 0.3, 0.6, 1e-5, "single", 2**10).split(" | ")

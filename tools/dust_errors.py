@@ -3,8 +3,9 @@
 usage: python tools/dust_errors.py [--scattering single|multiple] [--quick] [GOLDEN [PICTURE]]
        (default: multiple, ../shared/golden/dust_layer_exact.csv, docs/pictures/dust_errors.png)
 
-Three parts, each against another reference of the tests: rows of discrete ordinates over Lambertian bases (GOLDEN); discrete ordinates solved here over a
-grid of (tau, w, g), which is the map; and the photon Monte Carlo over glossy bases (tests/photons.py), whose own standard errors are printed beside.
+Four parts, each against another reference: rows of discrete ordinates over Lambertian bases (GOLDEN); white dust over white, which keeps all light; the photon
+Monte Carlo over glossy bases (tests/photons.py), whose own standard errors are printed beside; and discrete ordinates solved here over a grid of (tau, w, g),
+which is the map.
 About two minutes.  Needs the development extras.
 """
 
@@ -99,6 +100,21 @@ def golden(path: Path, scattering: str) -> None:
 def albedo_of(r: dict[str, Floats], k: int, scattering: str) -> float:
     model = dusty(Lambert(r["base"][k]), r["tau"][k], r["w"][k], r["g"][k], scattering)
     return float(model.directional_albedo(from_spherical(r["theta_i"][k], 0.0))[0])
+
+
+# ---------------------------------------------------------------- The white furnace
+
+
+def furnace(scattering: str) -> None:
+    """What white dust over white gains or loses, at worst over tau, by g and angle, in percent."""
+    angles = np.radians([0.0, 30.0, 60.0, 75.0, 84.0, 88.0, 89.4])
+    wi, rows = from_spherical(angles, 0 * angles), []
+    for g in (*G, 0.9):
+        found = [dusty(Lambert(1.0), tau, 1.0, g, scattering).directional_albedo(wi, nodes=(64, 64)) for tau in TAU]
+        worst = np.abs(np.array(found)[..., 0] - 1).max(axis=0)
+        rows.append(f"{g:g} | " + " | ".join(f"{100 * x:.2g}" for x in worst))
+    header = "g | " + " | ".join(f"{np.degrees(angle):.3g}°" for angle in angles)
+    table(f"White dust over white ({scattering}): light gained or lost, the worst over tau, in percent", header, rows)
 
 
 # ---------------------------------------------------------------- The map
@@ -203,6 +219,7 @@ def main() -> None:
         golden(chosen.golden, chosen.scattering)
     else:
         print(f"{chosen.golden} is missing: its rows are left out")
+    furnace(chosen.scattering)
     glossy_table(chosen.scattering, 2**11 if chosen.quick else 2**16)
     error_map(chosen.picture, chosen.scattering, chosen.quick)
 

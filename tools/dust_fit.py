@@ -1,11 +1,12 @@
 """Compute layers of dust exactly, and fit the numbers of `motes.models.multiple_scattering` to them.
 
-    python tools/dust_fit.py --sets 10000 --evaluations 20000 --output src/motes/models/data/multiple_scattering.json
+    python tools/dust_fit.py --sets 2600 --steps 100 --output src/motes/models/data/multiple_scattering.json
 
 Adding and doubling (van de Hulst 1963) with 16 cosines and delta-M (Wiscombe 1977) gives a layer's reflection and transmission in
 its first two azimuth modes for random tau, w and g.  To each the form of `multiple_scattering` is fitted by linear least squares;
-then a network from (tau, w, g) to what those found, each weighted by what it changes in albedos and BRDFs.  Needs PyTorch; with
-the numbers above about a quarter of an hour on two cores.
+then a network from (tau, w, g) to what those found, each weighted by what it changes in albedos and BRDFs.  A smaller one, from
+(tau, g), gives the albedo of the first order, by quadrature, and comes first: what is left is shared by the others.  A few
+minutes with the numbers above; --start goes on from numbers there are.
 """
 
 from __future__ import annotations
@@ -18,10 +19,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from small_network import Network
+
+from motes.arrays import NUMPY
+from motes.models.multiple_scattering import LOST_TERMS, OWN_TERMS, Diffused, once_features, stretched
 
 Floats = NDArray[np.float64]
 N = 16  # cosines of the exact computation
-TERMS = 6  # coefficients of E and of t
+TERMS = 7  # coefficients of E, t and the first order
 AZIMUTHS = (np.arange(128) + 0.5) / 128 * np.pi
 # The optical thickness that doubling starts from: what it neglects, its half, is lost as often as it is doubled.
 THINNEST = 1e-9
@@ -29,6 +34,9 @@ THINNEST = 1e-9
 _x, _w = np.polynomial.legendre.leggauss(N)
 MU, WEIGHTS = 0.5 * (_x + 1), 0.5 * _w
 FLUX = 2 * MU * WEIGHTS
+V = stretched(NUMPY, MU)
+#: Where the first order is fitted: closer towards the horizon.
+COSINES = ((np.arange(20) + 0.5) / 20) ** 2
 
 
 class Exact(NamedTuple):
@@ -90,13 +98,57 @@ def exact(w: float, g: float, tau: float) -> Exact:
     return Exact(shares[0], shares[1], modes, higher)
 
 
-def scales(tau: Floats, w: Floats, g: Floats) -> tuple[Floats, Floats, Floats, Floats]:
-    """The features (n, 8) and the scales of E, t and the loss, of the model itself."""
-    from motes.arrays import NUMPY
-    from motes.models.multiple_scattering import Diffused
+def first_order(g: Floats, tau: Floats) -> Floats:
+    """The share of light that leaves above after one scattering by white dust, over that which meets a particle (n, 20)."""
+    nodes, weights = np.polynomial.legendre.leggauss(64)
+    root = 0.5 * (nodes + 1)
+    out, measure = (
+        root**2,
+        root * weights,
+    )  # an even rule in the root of the cosine: thin layers are met at grazing angles
+    sine, sines = np.sqrt(1 - COSINES**2), np.sqrt(1 - out**2)
+    cosine = -COSINES[:, None, None] * out[:, None] + sine[:, None, None] * sines[:, None] * np.cos(AZIMUTHS)
+    both = COSINES[:, None] + out
+    found = np.empty((len(g), len(COSINES)))
+    for k, (mean_cosine, depth) in enumerate(zip(g.tolist(), tau.tolist(), strict=True)):
+        square = mean_cosine * mean_cosine
+        phase = ((1 - square) / (1 + square - 2 * mean_cosine * cosine) ** 1.5).mean(axis=2)
+        up = 0.5 * phase * out / both * -np.expm1(-depth * both / (COSINES[:, None] * out))
+        found[k] = up @ measure / -np.expm1(-depth / COSINES)
+    return found
 
-    features, deep, lost = Diffused(NUMPY, tau, w, g)._two_streams()
-    return np.stack(features, axis=1), w * w * (1 - 1 / (1 + tau * (1 - w * g))), deep, lost
+
+class Scales(NamedTuple):
+    """What the network of the model is fed with, and what its numbers are multiplied with (n,)."""
+
+    features: Floats
+    met: Floats
+    deep: Floats
+    lost: Floats
+    upward: Floats
+
+
+def scales(tau: Floats, w: Floats, g: Floats) -> Scales:
+    """Those of the model itself."""
+    layer = Diffused(NUMPY, tau, w, g)
+    features, deep, lost = layer._two_streams()
+    return Scales(np.stack(features, axis=1), layer._met, deep, lost, layer._upward)
+
+
+def powers(count: int) -> Floats:
+    """What values at `count` nodes of v are at the cosines, (N, count)."""
+    return np.vander(V, count, increasing=True) @ at_nodes(count)
+
+
+def nodes_of(count: int) -> Floats:
+    """Where polynomials in v are told by their values."""
+    found: Floats = -np.cos((np.arange(count) + 0.5) / count * np.pi)
+    return found
+
+
+def at_nodes(count: int) -> Floats:
+    """Coefficients of powers of v out of values at nodes."""
+    return np.linalg.inv(np.vander(nodes_of(count), count, increasing=True))
 
 
 def least_squares(columns: Floats, values: Floats) -> tuple[Floats, Floats]:
@@ -105,146 +157,153 @@ def least_squares(columns: Floats, values: Floats) -> tuple[Floats, Floats]:
     return np.linalg.lstsq(columns, values, rcond=1e-9)[0], np.linalg.cholesky(metric)
 
 
-def coefficients(
-    found: Exact, tau: float, w: float, scale_e: float, scale_t: float, lost: float
-) -> tuple[Floats, list[Floats]]:
-    """What the network is to give for one layer (19,), E and t by their values at nodes; and the metrics of its four parts."""
-    powers = np.vander(2.8 * MU / (MU + 0.4) - 1, TERMS, increasing=True) @ AT_NODES
+def coefficients(found: Exact, tau: float, w: float, lost: float) -> tuple[Floats, list[Floats]]:
+    """What the network is to give for one layer, E, t and the light lost by their values at nodes; and the metrics of its five parts."""
     hit = -np.expm1(-tau / MU)
     escaping = np.pi * (found.higher[0] * FLUX).sum(axis=1)
-    root = np.sqrt(FLUX) + 0.01
-    light = found.reflected + 0.5 * found.arriving**2 + 1e-4
+    root = np.sqrt(FLUX) + 0.03
+    light = found.reflected + 0.02 * found.arriving**2 + 1e-4
     ways = [root / light, 0.25 * root / (escaping + 0.02 * light)]  # absolutely, and by its shape
     e, metric_e = least_squares(
-        np.concatenate([powers * (hit * way)[:, None] * scale_e for way in ways]),
+        np.concatenate([powers(TERMS) * (hit * way)[:, None] for way in ways]),
         np.concatenate([escaping * way for way in ways]),
     )
     way = root / (found.arriving + 0.05)
-    t, metric_t = least_squares(powers * (hit * way)[:, None] * scale_t, (found.arriving - np.exp(-tau / MU)) * way)
+    t, metric_t = least_squares(powers(TERMS) * (hit * way)[:, None], (found.arriving - np.exp(-tau / MU)) * way)
+    if 1 - w > 1e-4 and w > 1e-3:
+        way = (1 - w) * w * lost * hit * root
+        more = (1 - found.reflected - found.arriving) / ((1 - w) * hit) - 1
+        n, metric_n = least_squares(powers(LOST_TERMS) * way[:, None], more / (w * lost) * way)
+    else:
+        n, metric_n = np.zeros(LOST_TERMS), np.zeros((LOST_TERMS, LOST_TERMS))
     mean = float((escaping * FLUX).sum())
     kernel = np.outer(escaping, escaping) / (np.pi * mean)
     zero, one = found.modes
     darkest = np.maximum(np.minimum(zero + 2 * one, zero - 2 * one), 0.15 * np.abs(zero)) + 1e-9
-    steep = np.where(np.cos(np.radians(82)) < MU, 1.0, 0.15) * root
+    steep = np.where(np.cos(np.radians(82)) < MU, 1.0, 0.15) * (np.sqrt(FLUX) + 0.01)
     judged = kernel * np.outer(steep, steep) / darkest
-    v = 2.8 * MU / (MU + 0.4) - 1
-    a, b = (p - (p * escaping * FLUX).sum() / mean for p in (v, v * v))
+    a, b = (p - (p * escaping * FLUX).sum() / mean for p in (V, V * V))
     even = np.stack([np.outer(a, a), np.outer(a, b) + np.outer(b, a), np.outer(b, b)], axis=-1)
     c, metric_c = least_squares(
         (even * judged[..., None]).reshape(-1, 3), ((found.higher[0] / kernel - 1) * judged).ravel()
     )
     sine = np.sqrt(1 - MU * MU)
-    odd = np.stack([np.ones((N, N)), v[:, None] + v, np.outer(v, v)], axis=-1) * np.outer(sine, sine)[..., None]
+    odd = np.stack([np.ones((N, N)), V[:, None] + V, np.outer(V, V)], axis=-1) * np.outer(sine, sine)[..., None]
     d, metric_d = least_squares(
         2 * (odd * judged[..., None]).reshape(-1, 3), (2 * found.higher[1] / kernel * judged).ravel()
     )
-    share = 1 - float((found.reflected * FLUX).sum() + (found.arriving * FLUX).sum())
-    loss = share / ((1 - w) * lost) if 1 - w > 1e-4 else np.nan
-    return np.concatenate([e, t, c, d, [loss]]), [metric_e, metric_t, metric_c, metric_d]
+    return np.concatenate([e, t, n, c, d]), [metric_e, metric_t, metric_n, metric_c, metric_d]
 
 
-NODES = -np.cos((np.arange(TERMS) + 0.5) / TERMS * np.pi)
-AT_NODES = np.linalg.inv(np.vander(NODES, TERMS, increasing=True))  # coefficients out of values at nodes
-
-
-def layers(count: int, seed: int) -> tuple[Floats, Floats, list[Floats]]:
-    """Random layers (count, 3), what was fitted to each (count, 19), and the metrics."""
+def sample(count: int, seed: int) -> Floats:
+    """tau, w, g of random layers (count, 3)."""
     rng = np.random.default_rng(seed)
     tau = np.where(rng.uniform(size=count) < 0.08, 1e4, 10 ** rng.uniform(-2.6, 2.3, count))  # and half spaces
     kind = rng.uniform(size=count)
-    w = np.where(kind < 0.6, 1 - rng.uniform(size=count) ** 3, np.where(kind < 0.9, 1.0, rng.uniform(size=count)))
-    g = rng.uniform(-0.75, 0.9, count)
-    _, scale_e, scale_t, lost = scales(tau, w, g)
-    values, metrics = np.empty((count, 2 * TERMS + 7)), [np.empty((count, k, k)) for k in (TERMS, TERMS, 3, 3)]
-    for k in range(count):
-        found, own = coefficients(exact(w[k], g[k], tau[k]), tau[k], w[k], scale_e[k], scale_t[k], lost[k])
-        values[k] = found
-        for metric, part in zip(metrics, own, strict=True):
-            metric[k] = part
+    w = np.where(kind < 0.5, 1 - rng.uniform(size=count) ** 3, np.where(kind < 0.7, 1.0, rng.uniform(size=count)))
+    g = np.where(rng.uniform(size=count) < 0.7, rng.uniform(-0.75, 0.9, count), rng.uniform(0.5, 0.9, count))
+    return np.stack([tau, w, g], axis=1)
+
+
+def layers(where: Floats) -> tuple[Floats, list[Floats]]:
+    """What was fitted to each layer, and the metrics."""
+    lost = scales(*where.T).lost
+    found = []
+    for k, (tau, w, g) in enumerate(where.tolist()):
+        found.append(coefficients(exact(w, g, tau), tau, w, lost[k]))
         if k % 500 == 499:
-            print(f"{k + 1} of {count} layers", flush=True)
-    return np.stack([tau, w, g], axis=1), values, metrics
+            print(f"{k + 1} of {len(where)} layers", flush=True)
+    return np.stack([values for values, _ in found]), [
+        np.stack(part) for part in zip(*(metrics for _, metrics in found), strict=True)
+    ]
 
 
-def network(
-    where: Floats, values: Floats, metrics: list[Floats], hidden: list[int], evaluations: int
-) -> dict[str, Any]:
-    """The numbers of the model: weights and offsets of the network, the last ones for powers of v."""
-    import torch
+def powers_of_v(counts: list[int], total: int) -> Floats:
+    """What makes powers of v of outputs that are values at nodes, so many each from the first on (total, total)."""
+    basis, at = np.eye(total), 0
+    for count in counts:
+        basis[at : at + count, at : at + count] = at_nodes(count).T
+        at += count
+    return basis
 
-    torch.set_default_dtype(torch.float64)
-    torch.manual_seed(0)
-    features, scale_e, scale_t, _ = scales(*where.T)
-    mean, deviation = features.mean(axis=0), features.std(axis=0)
-    known = np.isfinite(values[:, -1])
-    values = np.where(np.isnan(values), 1.0, values)
-    middle, spread = np.median(values, axis=0), 0.5 * np.ptp(np.quantile(values, [0.1, 0.9], axis=0), axis=0) + 1e-3
-    inputs, wanted = torch.tensor((features - mean) / deviation), torch.tensor(values)
-    factors = [torch.tensor(metric) for metric in metrics]
-    sizes = [features.shape[1], *hidden, values.shape[1]]
-    weights = [torch.randn(a, b) / np.sqrt(a) for a, b in pairwise(sizes)]
-    offsets = [0.3 * torch.randn(b) for b in sizes[1:]]
-    for tensor in (*weights, *offsets):
-        tensor.requires_grad_(True)
-    parts = [slice(0, TERMS), slice(TERMS, 2 * TERMS), slice(2 * TERMS, 2 * TERMS + 3), slice(2 * TERMS + 3, -1)]
-    powers = torch.tensor(np.vander(2.8 * MU / (MU + 0.4) - 1, TERMS, increasing=True) @ AT_NODES)
-    white = torch.tensor((where[:, 1:2] > 0.995) * -np.expm1(-where[:, :1] / MU))
-    scale_e, scale_t = (torch.tensor(scale)[:, None] for scale in (scale_e, scale_t))
 
-    def loss() -> Any:
-        layer = inputs
-        for weight, offset in zip(weights[:-1], offsets[:-1], strict=True):
-            layer = layer @ weight + offset
-            layer = layer / torch.sqrt(1 + layer * layer)
-        error = torch.tensor(middle) + torch.tensor(spread) * (layer @ weights[-1] + offsets[-1]) - wanted
-        total = 4 * (torch.tensor(known) * error[:, -1] / wanted[:, -1]) ** 2
-        for part, factor, importance in zip(parts, factors, (25, 25, 1, 1), strict=True):
-            total = total + importance * (torch.einsum("nab,na->nb", factor, error[:, part]) ** 2).sum(axis=1)
-        # White dust keeps all light: errors of E and t must cancel there.
-        energy = white * ((error[:, parts[0]] @ powers.T) * scale_e + (error[:, parts[1]] @ powers.T) * scale_t)
-        total = total + 625 * (energy**2).sum(axis=1)
-        return (total / (1 + 0.5 * total)).mean() + 0.05 * torch.sqrt(total + 1e-8).mean()
+def once_network(where: Floats, start: dict[str, Any] | None, given: argparse.Namespace) -> Network:
+    """The network for the first order, from tau and g."""
+    tau, _, g = where.T
+    wanted = first_order(g, tau)
+    way = np.sqrt(
+        -np.expm1(-tau[:, None] / COSINES)
+    )  # between what errs of the light and what errs of its share that meets a particle
+    columns = np.vander(stretched(NUMPY, COSINES), TERMS, increasing=True) @ at_nodes(TERMS)
+    features = np.stack(once_features(NUMPY, tau, g), axis=1)
+    if start is None:
+        middle, spread = np.full(TERMS, 0.3), np.full(TERMS, 0.2)
+        net = Network.random(features, given.once, middle, spread, given.seed)
+    else:
+        net = Network.read(start, np.linalg.inv(powers_of_v([TERMS], TERMS)))
+    for power in (0.0, 1.0):
+        net.fit(features, 1e3 * way[:, :, None] * columns, 1e3 * way * wanted, given.steps, power)
+    error = np.abs(way * way * (net.outputs(features) @ columns.T - wanted)).max(axis=1)
+    print(f"first order, of all light: median {np.median(error):.2g}, worst {error.max():.2g}")
+    return net
 
-    done = 0
 
-    def step() -> Any:
-        nonlocal done
-        optimizer.zero_grad()
-        value = loss()
-        value.backward()
-        done += 1
-        if done % 1000 == 0:
-            print(f"{done} evaluations: {value.item():.5f}", flush=True)
-        return value
+def network(where: Floats, once: Floats, start: dict[str, Any] | None, given: argparse.Namespace) -> Network:
+    """The network for the rest; `once` has the values at nodes of the one for the first order (n, TERMS)."""
+    values, metrics = layers(where)
+    scale, w = scales(*where.T), where[:, 1]
+    sizes = [OWN_TERMS, OWN_TERMS, LOST_TERMS]
+    total = sum(sizes) + 6
 
-    optimizer = torch.optim.LBFGS(
-        [*weights, *offsets], max_iter=evaluations, max_eval=evaluations, history_size=100, line_search_fn="strong_wolfe",
-        tolerance_grad=1e-14, tolerance_change=1e-16,
-    )  # fmt: skip
-    optimizer.step(step)
-    matrices, vectors = ([t.detach().numpy() for t in tensors] for tensors in (weights, offsets))
-    powers_of_v = np.eye(values.shape[1])
-    for part in parts[:2]:
-        powers_of_v[part, part] = AT_NODES.T
-    matrices[-1], vectors[-1] = matrices[-1] * spread @ powers_of_v, (vectors[-1] * spread + middle) @ powers_of_v
-    short = np.vectorize(lambda x: float(f"{x:.7g}"))
-    return {
-        "mean": short(mean).tolist(),
-        "deviation": short(deviation).tolist(),
-        "weights": [short(matrix).tolist() for matrix in matrices],
-        "offsets": [short(vector).tolist() for vector in vectors],
-    }
+    def at_all(count: int) -> Floats:
+        return np.vander(nodes_of(TERMS), count, increasing=True) @ at_nodes(count)
+
+    def wide(factor: Floats, at: int, count: int) -> Floats:
+        """Values at all nodes, times a factor, out of `count` of the outputs (n, TERMS, total)."""
+        matrix = np.zeros((len(where), TERMS, total))
+        matrix[:, :, at : at + count] = factor[:, None, None] * at_all(count)
+        return matrix
+
+    # As the model has them: what E, t and the light lost leave unsaid is added to E and to t.
+    up, down = (x[:, None] for x in (w * scale.upward, 1 - scale.upward))
+    e, t = wide(scale.met, 0, OWN_TERMS), wide(scale.deep, OWN_TERMS, OWN_TERMS)
+    unsaid = -wide(w * (1 - w) * scale.lost, 2 * OWN_TERMS, LOST_TERMS) - e - t
+    known = w[:, None] * (1 - once)
+    found = [(e + up[..., None] * unsaid, up * known), (t + down[..., None] * unsaid, down * known)]
+    ends = np.cumsum([2 * OWN_TERMS, LOST_TERMS, 3, 3])
+    unit = np.eye(total)
+    found += [(np.broadcast_to(unit[a:b], (len(where), b - a, total)), np.zeros(1)) for a, b in pairwise(ends)]
+    matrices, goals, at = [], [], 0
+    for (matrix, constant), metric, importance in zip(found, metrics, (25, 25, 50, 1, 1), strict=True):
+        wanted = values[:, at : at + matrix.shape[1]] - constant
+        at += matrix.shape[1]
+        matrices.append(np.sqrt(importance) * np.einsum("nab,nao->nbo", metric, matrix))
+        goals.append(np.sqrt(importance) * np.einsum("nab,na->nb", metric, wanted))
+    if start is None:
+        net = Network.random(scale.features, given.hidden, np.full(total, 0.3), np.full(total, 0.3), given.seed)
+    else:
+        net = Network.read(start, np.linalg.inv(powers_of_v(sizes, total)))
+    net.fit(scale.features, np.concatenate(matrices, axis=1), np.concatenate(goals, axis=1), given.steps, -0.5)
+    return net
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--sets", type=int, default=10_000, help="layers that are computed")
-    parser.add_argument("--evaluations", type=int, default=20_000, help="of the network's fit")
+    parser.add_argument("--sets", type=int, default=2600, help="layers that are computed")
+    parser.add_argument("--steps", type=int, default=100, help="of the fits of the networks")
     parser.add_argument("--hidden", type=int, nargs="+", default=[24, 20])
+    parser.add_argument("--once", type=int, nargs="+", default=[16, 12], help="hidden ones, for the first order")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--start", type=Path, help="numbers to go on from")
     parser.add_argument("--output", type=Path, required=True)
     given = parser.parse_args()
-    numbers = network(*layers(given.sets, given.seed), given.hidden, given.evaluations)
+    start = json.loads(given.start.read_text(encoding="utf-8")) if given.start else None
+    where = sample(given.sets, given.seed)
+    first = once_network(where, start and start["once"], given)
+    once = first.outputs(np.stack(once_features(NUMPY, where[:, 0], where[:, 2]), axis=1))
+    net = network(where, once, start, given)
+    numbers = net.numbers(powers_of_v([OWN_TERMS, OWN_TERMS, LOST_TERMS], 2 * OWN_TERMS + LOST_TERMS + 6))
+    numbers["once"] = first.numbers(powers_of_v([TERMS], TERMS))
     given.output.write_text(json.dumps(numbers) + "\n", encoding="utf-8")
     print(given.output)
 

@@ -2,13 +2,19 @@ r"""All orders of scattering in a plane layer of Henyey-Greenstein dust, in a fo
 
 The first order is exact and stands with the dust (`motes.models.dust`).  Here is what the others add, as functions of tau, w and g
 fitted to adding and doubling (``tools/dust_fit.py``; docs/dust.md has the errors), in a form that is reciprocal and keeps energy
-whatever the fitted numbers are.  With :math:`x(\mu) = 1 - e^{-\tau/\mu}`, :math:`v(\mu) = 2.8 \mu / (\mu + 0.4) - 1`, and the cosines
-:math:`\mu` to the vertical:
+whatever the fitted numbers are.  With :math:`x(\mu) = 1 - e^{-\tau/\mu}`, :math:`v(\mu) = 2 \sqrt{1.7 \mu / (\mu + 0.7)} - 1`, and
+the cosines :math:`\mu` to the vertical:
 
 .. math::
-   E(\mu) = x(\mu) \sum_k e_k v^k, \qquad t(\mu) = 1 - x(\mu) + x(\mu) \sum_k t_k v^k
+   S(\mu) = w x(\mu) \sum_k s_k v^k, \qquad E(\mu) = x(\mu) \sum_k e_k v^k, \qquad t(\mu) = 1 - x(\mu) + x(\mu) \sum_k t_k v^k
 
-are the share of light that leaves above after two or more scatterings, and the share that arrives below.  The higher orders are
+are the shares of light that leave above after one scattering, and after two or more, and the share that arrives below.  One more
+polynomial, n, says what is lost, :math:`(1 - w) x (1 + w L n)`, with L that of two streams.  What these leave unsaid,
+
+.. math:: 1 - S - E - t - (1 - w) x (1 + w L n),
+
+would be nothing if all were exact.  It is added to E and to t, to E in thick layers and to t in thin ones: so white dust loses no
+light but for what errs in the albedo S of the exact first order, a function of tau and g alone.  The higher orders are
 
 .. math::
    f = \frac{E_i E_r}{\pi \bar E} \; C \; \Big[1 + 2 A \sum_{m > 0} \rho^m \cos m \varphi\Big], \quad
@@ -18,7 +24,8 @@ are the share of light that leaves above after two or more scatterings, and the 
 with the means :math:`m_a` of :math:`v^a` with the weight :math:`E \mu`, so that no correction
 changes an albedo; :math:`\varphi` is 0 for light that goes on.  The waves in azimuth fall off like powers, and their sum is
 :math:`2 \rho (\cos\varphi - \rho) / (1 - 2 \rho \cos\varphi + \rho^2)`, Poisson's kernel less 1, whose mean is 0.
-:math:`e_k, t_k, c, d` come out of a small network of algebraic sigmoids, fed with the two-stream solution (Meador and Weaver 1980).
+:math:`e_k, t_k, n_k, c, d` come out of a small network of algebraic sigmoids, fed with the two-stream solution (Meador and Weaver
+1980), and :math:`s_k` of a smaller one, of tau and g.
 """
 
 from __future__ import annotations
@@ -32,7 +39,7 @@ from typing import Any
 
 import numpy as np
 
-from motes.arrays import Array
+from motes.arrays import NUMPY, Array
 from motes.directions import Geometry
 from motes.equations import INV_PI
 
@@ -45,6 +52,11 @@ LEAST_DECAY = 1e-5
 # Less light than this leaves after several scatterings where there is no dust, or black dust.
 LEAST_ESCAPING = 1e-30
 ROOT_3 = math.sqrt(3.0)
+#: Of v: found by what seven terms err in S, E and t.
+BEND = 0.7
+STRETCH = 2 * math.sqrt(1 + BEND)
+#: How many numbers of the network are for E, for t and for n.
+OWN_TERMS, LOST_TERMS = 6, 4
 #: A of the azimuth: the m-th of its waves is A rho^m, as adding and doubling has it within a few hundredths for g up to 0.85.
 ONWARD = 1.15
 # Where a fit strays: the narrowest peak in azimuth, and the least of its mean.
@@ -58,9 +70,9 @@ def _numbers() -> dict[str, Any]:
     return numbers
 
 
-def stretched(cos_theta: Array) -> Array:
-    """v, 1 at the vertical and -1 at the horizon, where all functions of the cosine bend."""
-    return 2.8 * cos_theta / (cos_theta + 0.4) - 1
+def stretched(xp: Array, cos_theta: Array) -> Array:
+    """v, 1 at the vertical and -1 at the horizon, near which all functions of the cosine bend as mu log(mu) does."""
+    return STRETCH * xp.sqrt(cos_theta / (cos_theta + BEND)) - 1
 
 
 def polynomial(coefficients: list[Array], x: Array) -> Array:
@@ -96,17 +108,17 @@ class Diffused:
 
     def escaping(self, cos_theta: Array) -> Array:
         """The share E of light that leaves above after two or more scatterings."""
-        return self.hit(cos_theta) * self.xp.maximum(polynomial(self._fitted[0], stretched(cos_theta)), 0.0)
+        return self.hit(cos_theta) * self.xp.maximum(polynomial(self._fitted[0], stretched(self.xp, cos_theta)), 0.0)
 
     def arriving(self, cos_theta: Array) -> Array:
         """The share of light that arrives below diffusely, t less what comes straight through."""
-        return self.hit(cos_theta) * self.xp.maximum(polynomial(self._fitted[1], stretched(cos_theta)), 0.0)
+        return self.hit(cos_theta) * self.xp.maximum(polynomial(self._fitted[1], stretched(self.xp, cos_theta)), 0.0)
 
     def higher_orders(self, geometry: Geometry) -> Array:
         """The BRDF of two and more scatterings [1/sr]."""
-        _, _, (c11, c12, c22), (d0, d1, d2), _ = self._fitted
+        _, _, _, (c11, c12, c22), (d0, d1, d2) = self._fitted
         first, second = self._means
-        i, r = stretched(geometry.cos_theta_i), stretched(geometry.cos_theta_r)
+        i, r = stretched(self.xp, geometry.cos_theta_i), stretched(self.xp, geometry.cos_theta_r)
         i1, r1, i2, r2 = i - first, r - first, i * i - second, r * r - second
         around = self.xp.maximum(1 + c11 * i1 * r1 + c12 * (i1 * r2 + i2 * r1) + c22 * i2 * r2, LEAST_AROUND)
         wave = geometry.sin_theta_i * geometry.sin_theta_r * (d0 + d1 * (i + r) + d2 * (i * r)) / (ONWARD * around)
@@ -132,11 +144,11 @@ class Diffused:
 
     @cached_property
     def mean_returned(self) -> Array:
-        """The share of uniform light, from above or from below, that leaves on its own side: 1 less what arrives and what is lost.
+        """The share of uniform light, from above or from below, that leaves on its own side, after one scattering or more.
 
         It is between 0 and what meets a particle and is scattered: exactly nothing where the dust is black.
         """
-        returned = 1 - self.mean_arriving - (1 - self.w) * self._fitted[4]
+        returned = self.w * self._mean(self._fitted[2], 0) + self._mean(self._fitted[0], 0)
         return self.xp.maximum(self.xp.minimum(returned, self.w * self._moments[0]), 0.0)
 
     @cached_property
@@ -160,31 +172,49 @@ class Diffused:
         moments: list[Array] = [0.0] * (len(self._fitted[0]) + 2)
         for node, weight in zip(nodes.tolist(), weights.tolist(), strict=True):
             mu = node * node
+            v = float(stretched(NUMPY, mu))
             part = self.hit(mu) * (4 * weight * node * mu)
             for k in range(len(moments)):
                 moments[k] = moments[k] + part
-                part = part * stretched(mu)
+                part = part * v
         return moments
 
     # ------------------------------------------------------------ what was fitted
 
     @cached_property
-    def _fitted(self) -> tuple[list[Array], list[Array], list[Array], list[Array], Array]:
-        """e_k, t_k, c, d, and what is lost of uniform light over 1 - w."""
-        xp, numbers, w = self.xp, _numbers(), self.w
+    def _fitted(self) -> tuple[list[Array], list[Array], list[Array], list[Array], list[Array]]:
+        """e_k, t_k, s_k, c, d."""
+        numbers, w = _numbers(), self.w
         features, through, lost = self._two_streams()
-        layer = [
-            (feature - mean) * (1 / deviation)
-            for feature, mean, deviation in zip(features, numbers["mean"], numbers["deviation"], strict=True)
-        ]
-        for weights, offsets in zip(numbers["weights"][:-1], numbers["offsets"][:-1], strict=True):
-            layer = [_sigmoid(xp, value) for value in _affine(layer, weights, offsets)]
-        out = _affine(layer, numbers["weights"][-1], numbers["offsets"][-1])
-        n = (len(out) - 7) // 2
-        met = w * w * (1 - 1 / (1 + self.tau * (1 - w * self.g)))
-        escaping = [met * value for value in out[:n]]
+        out = _network(self.xp, features, numbers)
+        once = _network(self.xp, once_features(self.xp, self.tau, self.g), numbers["once"])
+        n = OWN_TERMS
+        escaping = [self._met * value for value in out[:n]]
         arriving = [through * value for value in out[n : 2 * n]]
-        return escaping, arriving, out[2 * n : 2 * n + 3], out[2 * n + 3 : 2 * n + 6], lost * out[-1]
+        several = [(1 - w) * lost * value for value in out[2 * n : 2 * n + LOST_TERMS]]
+        c, d = out[-6:-3], out[-3:]
+        # What is left is nobody's: E has more of it in thick layers, t in thin ones, as it is they that are smooth there.
+        up, down = w * self._upward, 1 - self._upward
+        for k, first in enumerate(once):
+            known = first + several[k] if k < LOST_TERMS else first
+            left = w * ((1 if k == 0 else 0) - known)
+            if k < n:
+                left = left - escaping[k] - arriving[k]
+                escaping[k], arriving[k] = escaping[k] + up * left, arriving[k] + down * left
+            else:
+                escaping.append(up * left)
+                arriving.append(down * left)
+        return escaping, arriving, once, c, d
+
+    @cached_property
+    def _upward(self) -> Array:
+        """0 in thin layers and 1 in thick ones."""
+        return 1 - 1 / (1 + self.tau * (1 - self.w * self.g))
+
+    @cached_property
+    def _met(self) -> Array:
+        """What E goes with: nothing of it is left where there is no dust, or black dust."""
+        return self.w * self.w * self._upward
 
     def _two_streams(self) -> tuple[list[Array], Array, Array]:
         """What the network is fed with; about what arrives below; and what two streams lose over 1 - w.
@@ -224,6 +254,22 @@ def _half_tangent(xp: Array, decay_squared: Array, tau: Array) -> tuple[Array, A
 
 #: Of the quadrature over cosines.
 NODES = 12
+
+
+def once_features(xp: Array, tau: Array, g: Array) -> list[Array]:
+    """What the network for the first order is fed with."""
+    return [g, xp.exp(-tau), 1 / (1 + tau), 1 / (1 + 8 * tau), 1 / (1 + 64 * tau)]
+
+
+def _network(xp: Array, features: list[Array], numbers: dict[str, Any]) -> list[Array]:
+    """The outputs of a network."""
+    layer = [
+        (feature - mean) * (1 / deviation)
+        for feature, mean, deviation in zip(features, numbers["mean"], numbers["deviation"], strict=True)
+    ]
+    for weights, offsets in zip(numbers["weights"][:-1], numbers["offsets"][:-1], strict=True):
+        layer = [_sigmoid(xp, value) for value in _affine(layer, weights, offsets)]
+    return _affine(layer, numbers["weights"][-1], numbers["offsets"][-1])
 
 
 def _sigmoid(xp: Array, x: Array) -> Array:
