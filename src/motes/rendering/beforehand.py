@@ -2,7 +2,7 @@
 
 A parameter that is the same all over a surface is *known*: its value is a number of this process, in float64.  What is computed of
 known numbers is known, too; where it meets something that differs from hit to hit, it becomes a variable of Dr.Jit that kernels read
-from memory, so that other values need no new kernel.  A layer of dust needs some three thousand operations for the numbers that depend on
+from memory, so that other values need no new kernel.  A layer of dust needs some four thousand operations for the numbers that depend on
 tau, w and g alone (`motes.models.multiple_scattering`), and two hundred at a hit.
 """
 
