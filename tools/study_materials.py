@@ -102,8 +102,17 @@ def base(rng: np.random.Generator, kind: int) -> BRDF:
     return made[kind % len(made)]
 
 
-#: How many kinds of bases there are, and which of them is a body under a coat.
-KINDS, COATED = 8, 5
+#: The kinds of bases, in the order of `base`.
+KINDS = (
+    "Burley's body",
+    "Minnaert's body",
+    "Ashikhmin and Shirley's body with a wide highlight",
+    "Hapke's powder",
+    "a rough body with two highlights",
+    "a coated body",
+    "rough metal",
+    "Ashikhmin and Shirley's body with two highlights",
+)
 
 
 def field(rng: np.random.Generator, wi: Floats, wo: Floats, size: float) -> Floats:
