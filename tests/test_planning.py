@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import itertools
 import json
 from pathlib import Path
@@ -395,3 +396,21 @@ def test_bad_rigs_are_answered_in_a_sentence(text: str, said: str, tmp_path: Pat
         offered(rig(tmp_path, text))
     assert said in str(caught.value)
     assert caught.value.hint
+
+
+# ---------------------------------------------------------------- the study of docs/plan.md
+
+
+def test_the_study_finds_the_grid_s_errors_in_a_quarter_of_the_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two of its materials and a few seeds: what the page says of eight and fifty."""
+    root = Path(__file__).resolve().parents[1]
+    monkeypatch.syspath_prepend(str(root / "tools"))
+    study = importlib.import_module("plan_study")
+    table = study.simulated(6, materials=2)
+    row = next(line for line in table if line.startswith("| **median"))
+    two, one, even_choice, random = (float(cell.strip(" *")) for cell in row.split("|")[2:6])
+    assert max(two, one) < 1.4
+    assert even_choice > 1.25 * two
+    assert random > 1.25 * two
+    page = (root / "docs" / "plan.md").read_text()
+    assert study.placed(page, "simulated", ["new"]).count("new\n<!-- /simulated -->") == 1
