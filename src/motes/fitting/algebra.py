@@ -61,6 +61,10 @@ def absolute(algebra: Algebra, a: Array) -> Array:
 
 def flag(algebra: Algebra, condition: Array) -> Array:
     """A condition as 1.0 or 0.0."""
+    if (
+        isinstance(condition, np.ndarray) and condition.dtype == np.bool_
+    ):  # five times as fast as a choice, and there are fifteen to a step
+        return condition.astype(np.float64)
     return algebra.where(condition, 1.0, 0.0)
 
 
@@ -99,13 +103,12 @@ class Arrays:
         return np.einsum("pqb,qb->pb", matrix, vector)
 
     def solve(self, matrix: Array, right: Array) -> Array:
-        matrices, rights = np.moveaxis(matrix, 2, 0), np.moveaxis(right, 1, 0)
+        matrices, rights = matrix.transpose(2, 0, 1), right.T
         try:
             solved: Any = np.linalg.solve(matrices, rights[..., None])[..., 0]
         except np.linalg.LinAlgError:  # exactly singular, or not finite: the smallest solution
             solved = np.stack([_smallest(a, b) for a, b in zip(matrices, rights, strict=True)])
-        solved = np.where(np.isfinite(solved), solved, rights)
-        return np.moveaxis(solved, 0, 1)
+        return np.where(np.isfinite(solved), solved, rights).T
 
     def inverse(self, matrix: Array) -> Array:
         size = len(matrix)

@@ -175,6 +175,8 @@ class Problem(Objective):
 
         ``sets`` (B,) says which of T data sets each vector belongs to."""
         results = self._mapped(lambda rows: self._normal_part(x, rows, sets), len(x))
+        if len(results) == 1:
+            return Normal(*results[0])
         return Normal(*(np.sum(parts, axis=0) for parts in zip(*results, strict=True)))
 
     def predicted(self, x: Floats) -> Floats:
@@ -293,7 +295,7 @@ class Problem(Objective):
         residual, jacobian = self.linearised(x, rows, sets)
         z = (residual / self.scale) ** 2
         psi = (residual * self.robust.slope(z))[0]  # (C, n)
-        index = self._index()  # (C, K)
+        index = self._index  # (C, K)
         blocks = inverse[index[:, :, None], index[:, None, :]]  # (C, K, K)
         leverage = np.einsum("cnk,ckl,cnl->cn", jacobian[0], blocks, jacobian[0])
         leverage *= self.robust.bend(z)[0]
@@ -313,7 +315,7 @@ class Problem(Objective):
         slope = roots * self.loss.slope(f, cosines)  # (B, C, n) or (C, n)
         batch, channels, n = residual.shape
         transposed = np.empty((batch, channels, len(self.quantities), n))
-        for k, name in enumerate(self._order()):
+        for k, name in enumerate(self._order):
             np.multiply(derivatives[name], slope, out=transposed[:, :, k])
         return residual, np.swapaxes(transposed, 2, 3)
 
@@ -351,11 +353,13 @@ class Problem(Objective):
 
     # ------------------------------------------------------------ layout
 
+    @cached_property
     def _order(self) -> list[str]:
         return [q.name for q in self.quantities if q.per_channel] + [
             q.name for q in self.quantities if not q.per_channel
         ]
 
+    @cached_property
     def _index(self) -> NDArray[np.intp]:
         """Positions (C, K) in the parameter vector of what acts on each channel, in the order of `_order`."""
         own = [np.arange(q.where.start, q.where.stop) for q in self.quantities if q.per_channel]
@@ -365,14 +369,14 @@ class Problem(Objective):
     def vector(self, parts: Floats) -> Floats:
         """Sum (B, C, K) into (B, P)."""
         total = np.zeros((len(parts), self.size))
-        for c, index in enumerate(self._index()):
+        for c, index in enumerate(self._index):
             total[:, index] += parts[:, c]
         return total
 
     def matrix(self, parts: Floats) -> Floats:
         """Sum (B, C, K, K) into (B, P, P)."""
         total = np.zeros((len(parts), self.size, self.size))
-        for c, index in enumerate(self._index()):
+        for c, index in enumerate(self._index):
             total[:, index[:, None], index[None, :]] += parts[:, c]
         return total
 

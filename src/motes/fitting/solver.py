@@ -91,7 +91,7 @@ def minimize(
         for _ in range(max_iterations):
             if not len(running):
                 break
-            xs, gs, hs = x[running].T, gradient[running].T, np.moveaxis(matrix[running], 0, 2)
+            xs, gs, hs = x[running].T, gradient[running].T, matrix[running].transpose(1, 2, 0)
             stopped = levenberg.held(algebra, xs, gs, hs, low_, high_, fixed[running].T, bright[running])
             step = np.zeros_like(xs)
             for _round in range(levenberg.ROUNDS):

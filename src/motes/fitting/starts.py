@@ -15,11 +15,14 @@ import numpy as np
 from motes.fitting.losses import Floats
 from motes.fitting.problem import Problem
 from motes.fitting.quantities import Quantity
+from motes.fitting.verdicts import Status
 from motes.parameters import Role
 
 SEARCH_SAMPLES = 600
 SEARCH_LANES = 24
 LARGEST_GRID = 1000
+#: A fit that goes on after so many iterations is given up if its sum of squares is so many times the best one's.
+PATIENCE, HOPELESS = 12, 9.0
 
 
 def starting_points(problem: Problem, given: Floats | None, most: int) -> Floats:
@@ -38,14 +41,30 @@ def starting_points(problem: Problem, given: Floats | None, most: int) -> Floats
     coarse = grey.solve(grid, held=gridded, max_iterations=6)
     order = np.argsort(coarse.normal.objective, kind="stable")
     chosen = coarse.x[_spread_out(coarse.x, order, gridded)]
-    fine = grey.solve(chosen, max_iterations=60, reduction=1e-6)
-    ends = fine.x[np.argsort(fine.normal.objective, kind="stable")]
+    ends = _ends(grey, chosen)
     distinct = [ends[0]]
     for end in ends[1:]:
         if len(distinct) < most and all(np.any(np.abs(end - d) > 0.02 * np.abs(d) + 1e-3) for d in distinct):
             distinct.append(end)
     starts = np.stack([_expand(problem, grey, x, brightness) for x in distinct])
     return starts if given is None else np.concatenate([given[None], starts])
+
+
+def _ends(grey: Problem, chosen: Floats) -> Floats:
+    """Where fits from the chosen points end (B, P), the best first.
+
+    All of them advance together, and what is left of them at last is one that creeps: it is given up where it is far above the others' ends.
+    """
+    fine = grey.solve(chosen, max_iterations=PATIENCE, reduction=1e-6)
+    objective, x = fine.normal.objective.copy(), fine.x
+    late = np.array([status is Status.MAX_ITERATIONS for status in fine.status])
+    hopeless = late & (objective > HOPELESS * objective.min())
+    late &= ~hopeless
+    if late.any():
+        more = grey.solve(x[late], max_iterations=60 - PATIENCE, reduction=1e-6)
+        objective[late], x[late] = more.normal.objective, more.x
+    order = np.argsort(objective, kind="stable")
+    return np.asarray(x[order[~hopeless[order]]])
 
 
 def _spread_out(x: Floats, order: np.ndarray, gridded: np.ndarray) -> np.ndarray:
