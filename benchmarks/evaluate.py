@@ -196,6 +196,7 @@ def report(n: int, timings: dict[str, Timing], skipped: list[str], rounds: int) 
         Goal(f"{what} over the memory's roof at {roof.BYTES} bytes an evaluation", "of_roof", 0.4, unit=" x"),
         Goal(f"{what} over NumPy as it stands", "over_numpy", 50, unit=" x"),
         Goal(f"float32 (N, 3) over {what}", "pieces32_share", 0.5, unit=" x"),
+        Goal("a new array out, over memory used before", "rows32_new_share", 0.9, unit=" x"),
         Goal("float64 (3, N)", "rows64_rate", 100, unit=" M/s"),
         Goal("an outer product, in evaluations of its pairs expanded", "outer_cost", 1.3, at_least=False, unit=" x"),
         Goal(f"gradient by {PARAMETERS} parameters, in evaluations", "gradient_cost", 2, at_least=False, unit=" x"),

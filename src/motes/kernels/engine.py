@@ -26,6 +26,7 @@ from motes.graph.recording import Kind, recorded
 from motes.kernels import numba as numba_code
 from motes.kernels import numpy as numpy_code
 from motes.kernels.jobs import CHUNK, Array, Job, address, place, target_of
+from motes.kernels.memory import empty
 from motes.kernels.module_cache import cache_folder, compiled_module
 from motes.parameters import Parametrised
 
@@ -134,7 +135,7 @@ def evaluate(model: Parametrised, wi: ArrayLike, wo: ArrayLike, out: Array | Non
 def density(model: Parametrised, wi: ArrayLike, wo: ArrayLike) -> Array:
     """The density with which samples are chosen [1/sr], as ``model.pdf`` gives it; inputs as for `evaluate`, an array (...) out."""
     job = Job(model, wi, wo)
-    found = np.empty(job.count, job.scalar)
+    found = empty((job.count,), job.scalar)
     if job.count:
         kernel = _kernel("density", job)
         constants, varying = kernel.constants(job.uniform), job.rows(kernel.varying)
@@ -161,7 +162,7 @@ def sample(model: Parametrised, wi: ArrayLike, u: ArrayLike) -> tuple[Array, Arr
         Random numbers (..., 2) in [0, 1) that broadcast against them; both float32: computed in float32.
     """
     job = Job(model, wi, u, second=("u", 2), more=4)
-    wo, chances, weights = job.room(3), np.empty(job.count, job.scalar), job.room(job.channels)
+    wo, chances, weights = job.room(3), empty((job.count,), job.scalar), job.room(job.channels)
     if job.count:
         kernel = _kernel("sampling", job)
         constants, varying = kernel.constants(job.uniform), job.rows(kernel.varying)

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from motes import workers
 from motes.errors import DataError, ParameterError
 from motes.graph.tracing import TracedParameter
+from motes.kernels.memory import empty
 from motes.kernels.numba import TILE
 from motes.parameters import Parametrised, Slot
 
@@ -137,7 +138,7 @@ class Job:
     def room(self, lanes: int) -> Array:
         """A new array (N, lanes): the transposed view of a (lanes, N) array where the directions are of that kind."""
         rows = any(w.strides[0] == w.itemsize for w in (self.wi, self.wo)) and len(self.shape) == 1
-        return np.empty((lanes, self.count), self.scalar).T if rows else np.empty((self.count, lanes), self.scalar)
+        return empty((lanes, self.count), self.scalar).T if rows else empty((self.count, lanes), self.scalar)
 
     def uniform(self, parameter: TracedParameter) -> float:
         """The value of a parameter that all directions share."""
