@@ -5,7 +5,9 @@ J'J with leverages (HC3 of MacKinnon and White, 1985; `motes.fitting.problem.Pro
 differs from sample to sample, and where weights are solid angles rather than inverse variances.
 
 A parameter at a bound has no standard error.  Those of the others are the larger of two: with it held there and, where
-noise may have put it there, with it free.  As in `motes.fitting.levenberg`, NumPy runs these steps and kernels print them;
+noise may have put it there, with it free: half of all repeats then find it off its bound, and move the others by what it takes up.
+Both are sandwiches, in which each parameter meets the scatter of the samples that tell of it and no other's: a highlight
+that is badly followed widens nothing but what trades with it.  As in `motes.fitting.levenberg`, NumPy runs these steps and kernels print them;
 what differs from lane to lane is a value, never a branch.
 """
 
@@ -138,25 +140,34 @@ def pushed_out(
     return flag(algebra, algebra.less(most, absolute(algebra, push)))
 
 
+def diagonal_of(inverse: Array, middle: Array) -> Array:
+    """The diagonal (P, B) of inverse middle inverse, for arrays; kernels go row by row."""
+    i, m = np.moveaxis(inverse, 2, 0), np.moveaxis(middle, 2, 0)
+    return np.asarray(np.sum((i @ m) * i, axis=2).T)
+
+
 def errors(
     algebra: Algebra,
     covariance: Array,
-    wider: Inverse,
-    noise: Array,
+    relaxed: Array,
+    blurred_wider: Array,
     stand: Standing,
     blurred: Array,
     columns: Columns,
     loose: Array,
 ) -> Errors:
-    """Standard errors: of the sandwich, or of the curvature with loose parameters free (`wider`) where that is larger."""
+    """Standard errors of the sandwich with parameters at a bound held or, where that is larger, with the loose ones free.
+
+    `relaxed` are the variances with those free (P, B), `blurred_wider` what is blurred then.
+    """
     own = algebra.sqrt(algebra.maximum(algebra.diagonal(covariance), 0.0))
-    some = flag(algebra, algebra.less(0.5 + 0.0 * noise, algebra.total(loose)))
-    relaxed = some * algebra.sqrt(algebra.maximum(noise * algebra.diagonal(wider.matrix), 0.0))
-    stderr = algebra.where(algebra.less(own, relaxed), relaxed, own)
-    known = stand.free * (1.0 - blurred) * (1.0 - wider.blurred)
     zero = 0.0 * own
+    some = flag(algebra, algebra.less(0.5, algebra.total(loose)))
+    wide = some * algebra.sqrt(algebra.maximum(relaxed, 0.0))
+    stderr = algebra.where(algebra.less(own, wide), wide, own)
+    known = stand.free * (1.0 - blurred) * (1.0 - blurred_wider)
     verdicts = algebra.where(algebra.less(0.5 + zero, known), zero + IDENTIFIED, zero + UNIDENTIFIABLE)
-    adrift = loose * algebra.maximum(flag(algebra, algebra.less(0.5 * columns.span, relaxed)), wider.blurred)
+    adrift = loose * algebra.maximum(flag(algebra, algebra.less(0.5 * columns.span, wide)), blurred_wider)
     for code, condition in (
         (AT_LOWER, stand.at_low * (1.0 - adrift)),
         (AT_UPPER, stand.at_high * (1.0 - adrift)),

@@ -92,9 +92,11 @@ def uncertainty(objective: Objective, x: Floats, blocks: Labels | None = None) -
         noise = steps.noise_of(algebra, matrix, middle, free)
         bounded = np.maximum(stand.at_low, stand.at_high)
         loose = steps.loose(algebra, gradient, matrix, inverse.matrix, middle, free, bounded)
-        none = steps.Inverse(inverse.matrix, 0.0 * blurred)
-        wider = steps.inverted(algebra, matrix, np.maximum(free, loose)) if loose.any() else none
-        errors = steps.errors(algebra, covariance, wider, noise, stand, blurred, columns, loose)
+        relaxed, blurred_wider = 0.0 * loose, 0.0 * loose
+        if loose.any():
+            wider = steps.inverted(algebra, matrix, np.maximum(free, loose))
+            relaxed, blurred_wider = steps.diagonal_of(wider.matrix, middle), wider.blurred
+        errors = steps.errors(algebra, covariance, relaxed, blurred_wider, stand, blurred, columns, loose)
         if objective.common:  # a scale that is uncertain moves all parameters together, however well each is known
             way = (inverse.matrix[..., 0] @ objective.pull(x))[:, None]
             covariance = covariance + outer(way)

@@ -115,6 +115,7 @@ class Layout:
             "inverse": self.triangle,
             "wider": self.triangle,
             "wider_blurred": self.size + 1,
+            "relaxed": self.size,
             "covariance": self.triangle,
             "noise": 1,
             "point": self.size + 1,

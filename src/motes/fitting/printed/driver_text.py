@@ -76,7 +76,8 @@ def closing(x, room, own, box, columns, row, basis, times, samples, data, roughl
     normal, curved, leverage, middle = room + AT_NORMAL, room + AT_CURVED, room + AT_LEVERAGE, room + AT_MIDDLE
     stand, among, blurred, now_blurred = room + AT_STAND, room + AT_AMONG, room + AT_BLURRED, room + AT_NOW_BLURRED
     loose, unit, column, noise = room + AT_LOOSE, room + AT_UNIT, room + AT_COLUMN, room + AT_NOISE
-    inverse, wider, covariance, found = room + AT_INVERSE, room + AT_WIDER, room + AT_COVARIANCE, room + AT_FOUND
+    inverse, wider, relaxed = room + AT_INVERSE, room + AT_WIDER, room + AT_RELAXED
+    covariance, found = room + AT_COVARIANCE, room + AT_FOUND
     matrix, point = x + 8 * LANES * (SIZE + 2 + SIZE), room + AT_POINT
     gradient, spread = middle + 16 * LANES, middle + 8 * LANES * (2 + SIZE)
     free = stand + 8 * LANES * 3 * SIZE
@@ -106,7 +107,8 @@ def closing(x, room, own, box, columns, row, basis, times, samples, data, roughl
         for n in range((k + 1) * LANES):
             store(D, covariance, k * (k + 1) // 2 * LANES + n, load(D, unit, n, "other", 1), "plain", 0, 1)
     noise_at(curvature, spread, among, noise)
-    wide_inverse, wider_blurred, some = inverse, blurred, False
+    wider_blurred, some = blurred, False
+    clear(relaxed, SIZE)
     for k in range(SIZE):
         if not (any_of(stand + 8 * LANES * k) or any_of(stand + 8 * LANES * (SIZE + k))):
             continue
@@ -124,8 +126,13 @@ def closing(x, room, own, box, columns, row, basis, times, samples, data, roughl
         among_at(free, blurred, loose, among)
         clear(now_blurred, SIZE)
         inverse_of(curvature, among, now_blurred, wider, room + AT_WIDER_BLURRED)
-        wide_inverse, wider_blurred = wider, room + AT_WIDER_BLURRED
-    errors_at(point, stand, covariance, wide_inverse, noise, loose, blurred, wider_blurred, box, found)
+        wider_blurred = room + AT_WIDER_BLURRED
+        for k in range(SIZE):
+            column_of(wider, k, column)
+            row_at(column, wider, spread, unit)
+            for n in range(LANES):
+                store(D, relaxed, k * LANES + n, load(D, unit, k * LANES + n, "other", 1), "plain", 0, 1)
+    errors_at(point, stand, covariance, relaxed, loose, blurred, wider_blurred, box, found)
 """
 
 # Whether a texel has a sample with some of its channels only, which sums over whole samples leave out.

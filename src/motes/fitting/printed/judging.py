@@ -141,19 +141,17 @@ class _Printed:
         algebra, columns, box = self.start()
         size = self.size
         x, stand = algebra.vector("x", size), algebra.vector("stand", 4 * size)
-        sandwich, wider = algebra.matrix("covariance", size), algebra.matrix("wider", size)
-        noise, loose = algebra.number("noise"), algebra.vector("loose", size)
+        sandwich, relaxed = algebra.matrix("covariance", size), algebra.vector("relaxed", size)
+        loose = algebra.vector("loose", size)
         blurred, wider_blurred = algebra.vector("blurred", size), algebra.vector("wider_blurred", size)
         standing = covariance.Standing(*(stand[k * size : (k + 1) * size] for k in range(4)))
-        errors = covariance.errors(
-            algebra, sandwich, covariance.Inverse(wider, wider_blurred), noise, standing, blurred, columns, loose
-        )
+        errors = covariance.errors(algebra, sandwich, relaxed, wider_blurred, standing, blurred, columns, loose)
         value = covariance.own_value(algebra, x, columns.squared)
         own = covariance.own_error(algebra, x, errors.stderr, columns.squared)
         stderr = algebra.where(algebra.less(0.5, errors.known), own, float("nan"))
         codes = covariance.judged(algebra, value, stderr, columns, errors.verdicts)
         given = self.rows(
-            x=x, stand=stand, covariance=sandwich, wider=wider, noise=noise, loose=loose, blurred=blurred, wider_blurred=wider_blurred
+            x=x, stand=stand, covariance=sandwich, relaxed=relaxed, loose=loose, blurred=blurred, wider_blurred=wider_blurred
         )  # fmt: skip
         asks = second_look.asks(algebra, value, stderr, columns)
         results = [item for part in (value, stderr, codes, asks) for item in algebra.lifted(part)]
