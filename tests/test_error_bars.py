@@ -1,4 +1,4 @@
-"""Errors over blocks of directions: the jackknife that they are, their degrees of freedom, when they are chosen, and what they cover."""
+"""Errors over blocks of directions: what is made up for in them, their degrees of freedom, when they are chosen, and what they cover."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 import motes
 from fitting_oracle import scattered
 from motes.errors import DataError, MotesError
-from motes.fitting.clusters import jackknifed, plain
+from motes.fitting.clusters import evened, plain
 from motes.fitting.error_bars import BEYOND, LEVELS, together
 from motes.fitting.students_t import half_width
 from motes.measurements import Measurement
@@ -39,24 +39,43 @@ def by_block(j: Floats, e: Floats, labels: NDArray[np.intp]) -> tuple[Floats, Fl
     return np.stack([j[k].T @ e[k] for k in parts]), np.stack([j[k].T @ j[k] for k in parts])
 
 
-def test_the_sandwich_is_the_jackknife_that_leaves_out_a_block_at_a_time() -> None:
+def test_the_sandwich_is_bell_and_mccaffreys() -> None:
+    """CR2 by the symmetric root of what a block leaves of independent noise; and of it the mean is right."""
     j, e, labels = design()
     inverse = np.linalg.inv(j.T @ j)
-    middle = jackknifed(*by_block(j, e, labels), inverse).matrix
+    middle = evened(*by_block(j, e, labels), inverse).matrix
+    left = np.eye(len(j)) - j @ inverse @ j.T
+    scores, expected = [], np.zeros((4, 4))
+    for k in range(9):
+        at = labels == k
+        values, vectors = np.linalg.eigh(left[np.ix_(at, at)])
+        adjusted = j[at].T @ (vectors / np.sqrt(values)) @ vectors.T
+        scores.append(adjusted @ e[at])
+        expected += adjusted @ left[np.ix_(at, at)] @ adjusted.T
+    assert_allclose(middle, np.array(scores).T @ np.array(scores), rtol=1e-9)
+    assert_allclose(inverse @ expected @ inverse, inverse, rtol=1e-9)
+
+
+def test_to_the_power_of_one_it_is_the_jackknife_that_leaves_out_a_block_at_a_time() -> None:
+    j, e, labels = design()
+    inverse = np.linalg.inv(j.T @ j)
+    middle = evened(*by_block(j, e, labels), inverse, power=1.0).matrix
     moves = np.stack([np.linalg.lstsq(j[labels != k], e[labels != k])[0] for k in range(9)])
-    assert_allclose(inverse @ middle @ inverse, 8 / 9 * moves.T @ moves, rtol=1e-9)
+    assert_allclose(inverse @ middle @ inverse, moves.T @ moves, rtol=1e-9)
 
 
-def test_degrees_of_freedom_are_those_of_the_quadratic_form() -> None:
+@pytest.mark.parametrize("power", [0.5, 1.0])
+def test_degrees_of_freedom_are_those_of_the_quadratic_form(power: float) -> None:
     j, e, labels = design()
     inverse = np.linalg.inv(j.T @ j)
-    freedom = jackknifed(*by_block(j, e, labels), inverse).freedom
+    freedom = evened(*by_block(j, e, labels), inverse, power).freedom
     left = np.eye(len(j)) - j @ inverse @ j.T
     for p in range(4):
         rows = []  # how each block's adjusted score depends on independent noise
         for k in range(9):
             at = labels == k
-            rows.append(np.linalg.solve(left[np.ix_(at, at)], j[at] @ inverse[:, p]) @ left[at])
+            values, vectors = np.linalg.eigh(left[np.ix_(at, at)])
+            rows.append((vectors * values**-power) @ vectors.T @ j[at] @ inverse[:, p] @ left[at])
         form = np.array(rows) @ np.array(rows).T
         values = np.linalg.eigvalsh(form)
         assert_allclose(freedom[p], values.sum() ** 2 / (values**2).sum(), rtol=1e-9)
@@ -68,8 +87,8 @@ def test_what_is_not_free_has_no_part_in_it() -> None:
     j, e, labels = design()
     inverse = np.zeros((4, 4))
     inverse[:3, :3] = np.linalg.inv(j[:, :3].T @ j[:, :3])
-    whole, part = jackknifed(*by_block(j, e, labels), inverse), by_block(j[:, :3], e, labels)
-    three = jackknifed(*part, inverse[:3, :3])
+    whole, part = evened(*by_block(j, e, labels), inverse), by_block(j[:, :3], e, labels)
+    three = evened(*part, inverse[:3, :3])
     assert_allclose(whole.matrix[:3, :3], three.matrix, rtol=1e-9)
     assert_allclose(whole.freedom[:3], three.freedom, rtol=1e-9)
 

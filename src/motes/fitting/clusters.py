@@ -1,9 +1,10 @@
 """The sandwich over blocks of directions: its middle, and how many degrees of freedom stand behind each error.
 
 Where a model does not fit, residuals are alike at neighbouring directions and in all channels, so scores are summed over blocks before they
-are squared (Liang and Zeger, Biometrika 73, 1986).  What a block did to the fit itself is taken out as the jackknife does that leaves
-out a block at a time: CR3 of Bell and McCaffrey (Survey Methodology 28, 2002).  Blocks are few, and fewer still bear on a parameter that
-only some of them see, so intervals take quantiles of Student's t with Satterthwaite's degrees of freedom, from the same paper.
+are squared (Liang and Zeger, Biometrika 73, 1986).  What a block did to the fit itself is made up for so that the variance is right on average
+where samples are independent after all: CR2 of Bell and McCaffrey (Survey Methodology 28, 2002).  Their CR3, the jackknife that leaves out a block at
+a time, errs on the wide side (`docs/uncertainty.md` has both).  Blocks are few, and fewer still bear on a parameter that only some of them
+see, so intervals take quantiles of Student's t with Satterthwaite's degrees of freedom, from the same paper.
 """
 
 from __future__ import annotations
@@ -36,35 +37,37 @@ def middle_over(objective: Objective, x: Floats, inverse: Floats, blocks: Labels
     parts = [objective.at_directions(np.flatnonzero(blocks == k)) for k in range(int(blocks.max()) + 1)]
     scores = np.stack([part.normal(x[None]).gradient[0] for part in parts])
     if len(x) <= MOST_TAKEN_OUT:
-        return jackknifed(scores, np.stack([part.curvature(x) for part in parts]), inverse)
+        return evened(scores, np.stack([part.curvature(x) for part in parts]), inverse)
     # Copies: a view of its diagonal would keep each (P, P) alive, 37 MB a block for 2,151 bands.
     return plain(scores, np.stack([np.diag(part.curvature(x)).copy() for part in parts]))
 
 
-def jackknifed(scores: Floats, shares: Floats, inverse: Floats) -> Middle:
-    """From scores (G, P) and parts of the curvature (G, P, P) of G blocks: their leverages taken out.
+def evened(scores: Floats, shares: Floats, inverse: Floats, power: float = 0.5) -> Middle:
+    """From scores (G, P) and parts of the curvature (G, P, P) of G blocks: their leverages made up for.
 
-    With L the inverse, a block of score s and part M counts as (1 - M L)^-1 s, and the sum of squares with (G - 1) / G: L times that is by how much the
-    fit moves without the block.  In the coordinates in which L is 1, M has eigenvalues h, the leverages; no block is taken to
+    With L the inverse, a block of score s and part M counts as (1 - M L)^-power s: a half is CR2; one is CR3 without its factor, and L times that by
+    how much the fit moves without the block.  In the coordinates in which L is 1, M has eigenvalues h, the leverages; no block is taken to
     leave less than `LEAST_REMAINDER` of its residuals.
     """
     values, vectors = np.linalg.eigh(0.5 * (inverse + inverse.T))
     root = vectors * np.sqrt(np.maximum(values, 0.0))  # L = root root'
     leverage, turn = np.linalg.eigh(root.T @ shares @ root)  # (G, P), (G, P, P)
-    left = np.maximum(1.0 - leverage, LEAST_REMAINDER)
-    along = np.einsum("gpq,gp->gq", turn, scores @ root) / left
+    leverage = np.clip(leverage, 0.0, 1.0 - LEAST_REMAINDER)
+    gain = (1.0 - leverage) ** -power
+    # (1 - M L)^-power s = s + M root turn (gain - 1) / h turn' root' s, also for parameters that L holds.
+    more = np.where(leverage > 1e-9, (gain - 1.0) / np.maximum(leverage, 1e-9), power)
+    along = np.einsum("gpq,gp->gq", turn, scores @ root) * more
     full = scores + np.einsum("gpq,gq->gp", shares, np.einsum("gpq,gq->gp", turn, along) @ root.T)
-    count = len(scores)
     # Of independent noise of one size, the sum over blocks is a quadratic form with this matrix (G, G) for each parameter: its trace
     # squared over the trace of its square is the freedom of the chi-square that has its mean and variance.
     to = np.einsum("gqk,pq->gkp", turn, root)  # (G, K, P): L^1/2 e_p, turned
-    own = np.einsum("gkp,gk->gp", to**2, np.maximum(leverage, 0.0) / left**2)
-    shift = np.einsum("gqk,gkp->gqp", turn, to * (np.maximum(leverage, 0.0) / left)[..., None])
+    own = np.einsum("gkp,gk->gp", to**2, leverage * gain**2)
+    shift = np.einsum("gqk,gkp->gqp", turn, to * (leverage * gain)[..., None])
     freedom = np.ones(len(inverse))
     for p in range(len(inverse)):
         form = np.diag(own[:, p]) - shift[:, :, p] @ shift[:, :, p].T
         freedom[p] = _freedom(float(np.trace(form)) ** 2, float(np.sum(form**2)))
-    return Middle(np.asarray((count - 1) / count * full.T @ full), freedom)
+    return Middle(np.asarray(full.T @ full), freedom)
 
 
 def plain(scores: Floats, seen: Floats) -> Middle:
