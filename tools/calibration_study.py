@@ -366,6 +366,8 @@ def page(lines: list[str], drawn: Collection[str]) -> str:
         "has tails that are a little too thin. Where it is wrong, errors over independent samples hold the nearest truth half as often as they say, in static fits and in maps, which have no others; errors over",
         "blocks hold it as often at 95 and 99 %, and more often than they say at smaller levels.",
         "",
+        "The rows of blocks were measured with leverages by CR3; CR2, whose errors are narrower, has taken its place since.",
+        "",
         "The last four columns: by how many percent the level that is most wrong is off, + for too wide; which level that is, where chance does not explain it (1 %). What has no error sits at a bound, or",
         "is not seen by the data.",
         "",
