@@ -1,0 +1,150 @@
+"""Ways to compute errors where residuals go together, from one and the same fit: for docs/uncertainty.md.
+
+A fit is recorded once (`recorded`): its residuals and their derivatives at each direction.  All ways are then sums over these, since the fit is what costs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+import motes.fitting.uncertainty
+from motes.fitting.clusters import Middle, evened, middle_over
+from motes.fitting.direction_blocks import Labels, blocks_of, coordinates
+from motes.fitting.error_bars import LEVELS, in_own_units
+from motes.fitting.problem import Problem
+from motes.fitting.students_t import half_width
+
+Floats = NDArray[np.float64]
+# Residuals of which the correlation has sunk below this are apart; and the widths [rad] of the steps in which it is looked for.
+APART, STEP = 0.2, 0.06
+
+
+class Recorded(NamedTuple):
+    """A fit at its solution `x` (P,), with the inverse of its curvature (P, P) and, at each direction, scores (N, P) and parts of the curvature (N, P, P)."""
+
+    problem: Problem
+    x: Floats
+    inverse: Floats
+    scores: Floats
+    shares: Floats
+    residuals: Floats
+
+
+@contextmanager
+def recorded() -> Iterator[list[Recorded]]:
+    """Within it, what `motes.fit` takes errors over blocks of, in their order."""
+    found: list[Recorded] = []
+
+    def recorder(problem: Problem, x: Floats, inverse: Floats, blocks: Labels) -> Middle:
+        residuals, slopes = (part[0] for part in problem.linearised(x[None], slice(0, len(problem.wi)), None))
+        derivatives = np.zeros((*residuals.shape, len(x)))  # (C, N, P)
+        own = [np.arange(q.where.start, q.where.stop) for q in problem.quantities if q.per_channel]
+        shared = [np.full(problem.channels, q.where.start) for q in problem.quantities if not q.per_channel]
+        for channel, places in enumerate(np.stack(own + shared, axis=1)):
+            derivatives[channel][:, places] = slopes[channel]
+        scores = np.einsum("cnp,cn->np", derivatives, residuals)
+        shares = np.einsum("cnp,cnq->npq", derivatives, derivatives)
+        found.append(Recorded(problem, x, inverse, scores, shares, residuals.sum(axis=0)))
+        return middle_over(problem, x, inverse, blocks)
+
+    home = motes.fitting.uncertainty
+    home.middle_over = recorder  # type: ignore[assignment]
+    try:
+        yield found
+    finally:
+        home.middle_over = middle_over
+
+
+def over_blocks(count: int | None, power: float) -> Callable[[Recorded], Middle]:
+    """CR0, CR2 or CR3 (`power` 0, 1/2, 1) over so many blocks, or over as many as the residuals' correlation asks for."""
+
+    def way(fit: Recorded) -> Middle:
+        labels = blocks_of(fit.problem.wi, fit.problem.wo, count or as_long_as_correlated(fit))
+        sums = [np.zeros((int(labels.max()) + 1, *part.shape[1:])) for part in (fit.scores, fit.shares)]
+        for total, part in zip(sums, (fit.scores, fit.shares), strict=True):
+            np.add.at(total, labels, part)
+        found = evened(sums[0], sums[1], fit.inverse, power)
+        return Middle(found.matrix * ((len(sums[0]) - 1) / len(sums[0]) if power == 1 else 1.0), found.freedom)
+
+    return way
+
+
+def by_direction(fit: Recorded) -> Middle:
+    """CR2 over directions: only the channels of each go together."""
+    return evened(fit.scores, fit.shares, fit.inverse)
+
+
+def as_long_as_correlated(fit: Recorded) -> int:
+    """How many blocks there are whose sides are twice the distance over which residuals stay alike; 8 to 48."""
+    at, r = coordinates(fit.problem.wi, fit.problem.wo), fit.residuals
+    pairs = np.triu_indices(len(r), 1)
+    step = (distances(at)[pairs] / STEP).astype(int)
+    mean = np.bincount(step, np.outer(r, r)[pairs]) / np.maximum(np.bincount(step), 1) / np.mean(r**2)
+    length = STEP * (0.5 + int(np.argmax(mean < APART)))
+    return int(np.clip(np.prod(np.ptp(at, axis=0)) / (2 * length) ** 3, 8, 48))
+
+
+def over_distance(length: float) -> Callable[[Recorded], Middle]:
+    """Conley's (1999): products of scores at two directions, weighted by a normal kernel of so many radians, and made right on average
+    for independent noise; with degrees of freedom of the same kind as those of blocks."""
+
+    def way(fit: Recorded) -> Middle:
+        kernel = np.exp(-0.5 * (distances(coordinates(fit.problem.wi, fit.problem.wo)) / length) ** 2)
+        count = len(fit.x)
+        scale, freedom = np.ones(count), np.ones(count)
+        for p in range(count):
+            toward = fit.shares @ fit.inverse[:, p]  # (N, P)
+            own = toward @ fit.inverse[:, p]
+            through = toward @ fit.inverse
+            inner = toward.T @ kernel @ through
+            trace = own.sum() - np.trace(inner)
+            cross = kernel @ (own[:, None] * (kernel @ through))
+            square = own @ (kernel**2) @ own - 2 * np.sum(toward * cross) + np.trace(inner @ inner)
+            if trace > 0:
+                scale[p], freedom[p] = np.sqrt(own.sum() / trace), max(1.0, trace**2 / square)
+        matrix = fit.inverse @ (fit.scores.T @ kernel @ fit.scores) @ fit.inverse * np.outer(scale, scale)
+        curvature = np.linalg.pinv(fit.inverse)
+        return Middle(curvature @ matrix @ curvature, freedom)
+
+    return way
+
+
+def distances(at: Floats) -> Floats:
+    return np.sqrt(np.sum((at[:, None] - at[None]) ** 2, axis=-1))
+
+
+#: The ways, the one that Motes goes first.
+WAYS: dict[str, Callable[[Recorded], Middle]] = {
+    "24 blocks, CR2: what Motes does": over_blocks(24, 0.5),
+    "24 blocks, CR3, the jackknife: what it did": over_blocks(24, 1.0),
+    "24 blocks, nothing made up for (CR0)": over_blocks(24, 0.0),
+    "8 blocks, CR2": over_blocks(8, 0.5),
+    "16 blocks, CR2": over_blocks(16, 0.5),
+    "48 blocks, CR2": over_blocks(48, 0.5),
+    "8 blocks, CR3": over_blocks(8, 1.0),
+    "blocks as long as residuals are alike, CR2": over_blocks(None, 0.5),
+    "kernel of 0.2 rad (Conley)": over_distance(0.2),
+    "kernel of 0.4 rad (Conley)": over_distance(0.4),
+    "each direction by itself, CR2": by_direction,
+}
+
+
+def held(fit: Recorded, middle: Middle, truth: Floats, widened: float = 1.0) -> Floats:
+    """Whether the intervals of a way hold the truth (P,), in the parameters' own units: (2, P), NaN where there is no interval or the truth is at a bound."""
+    columns = fit.problem.columns
+    errors = widened * np.sqrt(np.maximum(np.diag(fit.inverse @ middle.matrix @ fit.inverse), 0.0))
+    counts = (np.diag(fit.inverse) > 0) & (truth > 1e-6)
+    rows = []
+    for level in LEVELS.values():
+        width = errors * np.array([half_width(level, float(f"{f:.3g}")) for f in middle.freedom])
+        low, high = (
+            in_own_units(np.clip(fit.x + sign * width, columns.low[:, 0], columns.high[:, 0]), columns)
+            for sign in (-1, 1)
+        )
+        rows.append(np.where(counts, (low <= truth) & (truth <= high), np.nan))
+    return np.array(rows)
