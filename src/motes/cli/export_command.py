@@ -31,6 +31,9 @@ To = Literal[
     "tensortree",
     "zemax",
     "openpbr",
+    "standard_surface",
+    "gltf",
+    "blender",
 ]
 
 
@@ -58,8 +61,8 @@ def export(
         A material.json, a folder of motes fit, a preset or a model such as "oren_nayar(K_d=0.8)"; measured data, too, for bird and openmaterial, which
         write the samples as they are.
     to
-        The program or language. Of openpbr the program's own parameters are fitted to the material; the error is said, and a
-        picture shows it.
+        The program or language. Of openpbr, standard_surface, gltf and blender the program's own parameters are fitted
+        to the material; the error is said, and a picture shows it.
     output
         The file to write; a name made of the material's when not given. Some targets write further files beside it.
     as_model

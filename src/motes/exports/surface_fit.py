@@ -117,7 +117,9 @@ def fit_surface(what: Subject, surface: type[Surface]) -> SurfaceFit:
     what.colored(surface.program)
     best: Conversion | None = None
     for text in surface.candidates:
-        found = convert(what.brdf, text, loss="cube_root")
+        fitted = convert(what.brdf, text, loss="cube_root").brdf
+        assert isinstance(fitted, Surface)
+        found = Conversion.between(what.brdf, fitted.canonical())
         if best is None or found.seen < CLEARLY * best.seen:
             best = found
     assert best is not None

@@ -12,7 +12,7 @@ from motes.exports.surface_fit import SurfaceFit
 from motes.files import write_text
 
 #: The category of each surface's node.
-NODES = {"OpenPBR": "open_pbr_surface", "StandardSurface": "standard_surface"}
+NODES = {"OpenPBR": "open_pbr_surface", "StandardSurface": "standard_surface", "GltfSurface": "gltf_pbr"}
 
 
 def document(fits: Sequence[SurfaceFit]) -> str:

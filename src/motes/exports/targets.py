@@ -77,6 +77,20 @@ SURFACES: dict[str, tuple[Target, str]] = {
         Target("OpenPBR in MaterialX: its parameters, fitted", ".mtlx", "surface_nodes", over_time=True),
         "OpenPBR",
     ),
+    "standard_surface": (
+        Target("Standard Surface in MaterialX: its parameters, fitted", ".mtlx", "surface_nodes", over_time=True),
+        "StandardSurface",
+    ),
+    "gltf": (
+        Target(
+            "glTF 2.0: the parameters of its material, fitted, on a sphere", ".gltf", "surface_gltf", over_time=True
+        ),
+        "GltfSurface",
+    ),
+    "blender": (
+        Target("Blender: a script that makes a Principled BSDF, fitted", ".py", "surface_blender", over_time=True),
+        "Principled",
+    ),
 }
 SHADERS = ("glsl", "wgsl", "hlsl", "osl", "c")
 

@@ -16,12 +16,14 @@ from motes.fitting.front import fit
 from motes.fitting.losses import loss_named
 from motes.fitting.result import Fit
 from motes.measurements import Measurement
-from motes.models import BRDF, Lambert, describe, parse
+from motes.models import BRDF, GGX, Lambert, describe, parse
 from motes.parameters import Role
 
 Floats = NDArray[np.float64]
 #: Polar angles of the light [rad], Gauss-Legendre nodes of [0, pi/2], and directions towards the viewer for each.
 LIGHTS, VIEWERS = 10, 150
+#: What finds the directions of highlights that the source has not: where large values count less, a fit would else not see a glint of its own.
+GLINTS = (GGX(1.0, 0.006), GGX(1.0, 0.05))
 
 
 @dataclass(frozen=True)
@@ -44,6 +46,11 @@ class Conversion:
     relative_rms: float
     albedo: float
     seen: float
+
+    @classmethod
+    def between(cls, source: BRDF, brdf: BRDF) -> Conversion:
+        """Another model in the place of a source, and how far it is from it."""
+        return cls(brdf, _relative(brdf, source), _albedo(brdf, source), _seen(brdf, source))
 
     def said(self) -> str:
         """A sentence for people and for files."""
@@ -85,8 +92,9 @@ def convert(model: BRDF | str, to: str, *, loss: str = "linear") -> Conversion:
     source = parse(model).model if isinstance(model, str) else model
     if not source.reciprocal:
         raise MotesError(f"{describe(source)} is not reciprocal, so it is no BRDF", "Give dust form='brdf'")
-    wi, wo, weights = _pairs(source)
-    if not loss_named(loss).is_linear:
+    linear = loss_named(loss).is_linear
+    wi, wo, weights = _pairs(source, *(() if linear else GLINTS))
+    if not linear:
         weights = weights / wo[:, 2]  # the viewer's cosine once: by how much of a picture shows the surface from there
     values = source.eval(wi, wo)
     if not values.any():
@@ -100,10 +108,9 @@ def convert(model: BRDF | str, to: str, *, loss: str = "linear") -> Conversion:
         if coloured
         else ()
     )
-    found = fit(data, to, loss=loss, per_channel=strengths)
+    found = fit(data, to, loss=loss, per_channel=strengths, errors="independent")
     assert isinstance(found, Fit)  # one time
-    brdf = found.material.brdf
-    return Conversion(brdf, _relative(brdf, source), _albedo(brdf, source), _seen(brdf, source))
+    return Conversion.between(source, found.material.brdf)
 
 
 def _pairs(*models: BRDF) -> tuple[Floats, Floats, Floats]:

@@ -54,7 +54,7 @@ def write_glb(
     if mesh.uv is not None:
         columns["TEXCOORD_0"] = np.stack([mesh.uv[:, 0], 1 - mesh.uv[:, 1]], axis=1)  # its v grows downwards
     columns |= {f"_{name.upper()}": values[:, None] for name, values in mesh.attributes.items()}
-    blob = _Blob()
+    blob = Blob()
     attributes = {name: blob.add(values[used].astype(np.float32), VERTICES) for name, values in columns.items()}
     indices = blob.add(index[mesh.triangles].reshape(-1, 1), INDICES)
     primitive = {"attributes": attributes, "indices": indices, "material": 0}
@@ -81,7 +81,7 @@ def write_glb(
     return Path(path)
 
 
-class _Blob:
+class Blob:
     """The binary chunk in the making, with the accessors that say what is where."""
 
     def __init__(self) -> None:

@@ -22,6 +22,9 @@ from motes.models.coated_diffuse import CoatedDiffuse
 from motes.models.hapke import Hapke
 from motes.models.fresnel import Conductor, Dielectric, Fresnel, Schlick
 from motes.models.surfaces.openpbr import OpenPBR
+from motes.models.surfaces.standard_surface import StandardSurface
+from motes.models.surfaces.gltf_surface import GltfSurface
+from motes.models.surfaces.principled import Principled
 from motes.models.surfaces.program import Surface
 from motes.models.composition import Layer, layer_of, on_base
 from motes.models.expressions import describe, parse
@@ -41,16 +44,19 @@ __all__ = [
     "Dust",
     "DustLayer",
     "Fresnel",
+    "GltfSurface",
     "Hapke",
     "Lambert",
     "Layer",
     "Lobe",
     "OpenPBR",
     "OrenNayar",
+    "Principled",
     "Reflection",
     "Sampled",
     "Schlick",
     "StandardLobe",
+    "StandardSurface",
     "Sum",
     "Surface",
     "TorranceSparrow",

@@ -87,14 +87,18 @@ class EON(BRDF):
     )
 
     def formula(self, xp: Array, geometry: Geometry) -> Array:
-        rho, r = self.rho, self.r
+        r = self.r
         A_F = 1 / (1 + C_1 * r)
-        single = rho * A_F * _swing(xp, geometry, r)
+        single = self.once(xp, geometry)
         rho_ms = self._again(A_F)
         lost_i = _lost(xp, geometry.cos_theta_i, geometry.sin_theta_i)
         lost_r = _lost(xp, geometry.cos_theta_r, geometry.sin_theta_r)
         # Of the three factors r A_F of the second term two cancel.
         return equations.INV_PI * (single + rho_ms * (r * A_F) * (lost_i * lost_r) * (1 / (C_1 - C_2)))
+
+    def once(self, xp: Array, geometry: Geometry) -> Array:
+        """pi f of what is reflected once."""
+        return self.rho * (1 / (1 + C_1 * self.r)) * _swing(xp, geometry, self.r)
 
     def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
         return [Component(self.formula, CosineLobe(), self.rho)]

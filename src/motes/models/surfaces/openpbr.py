@@ -8,10 +8,12 @@ implementation in MaterialX 1.39; so the surface is not reciprocal."""
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar, final
+from typing import ClassVar, Self, final
+
+import numpy as np
 
 from motes import equations
-from motes.arrays import NUMPY, Array
+from motes.arrays import Array
 from motes.directions import Geometry
 from motes.models.components import Component
 from motes.models.eon import EON
@@ -51,6 +53,7 @@ class OpenPBR(Surface):
     specular_weight: Array = parameter(
         1.0,
         bounds=(0, 24.9),
+        fit_bounds=(0, 16),
         typical=(0, 1),
         symbol="x",
         doc="factor of the reflectance at normal incidence",
@@ -68,13 +71,17 @@ class OpenPBR(Surface):
     fuzz_color: Array = glossy.colour("colour of the fuzz")
     fuzz_roughness: Array = glossy.share("roughness of the fuzz", default=0.5, starts=(0.3, 0.7))
 
+    def canonical(self) -> Self:
+        weight = number(self.specular_weight)
+        if weight <= 1:
+            return self
+        # The same by an index, of which 10 is the largest.
+        root = np.sqrt(min(weight * number(glossy.normal_reflectance(self.specular_ior)), 0.66))
+        return self.with_parameters({"specular_weight": 1.0, "specular_ior": (1 + root) / (1 - root)})
+
     def written(self) -> Numbers:
         found = super().written()
         weight = number(self.specular_weight)
-        if weight > 1:  # the same by an index
-            found["specular_weight"] = 1.0
-            normal = weight * glossy.normal_reflectance(number(self.specular_ior))
-            found["specular_ior"] = float(glossy.index_of(NUMPY, normal))
         if weight < NEGLIGIBLE and not number(self.base_metalness):
             found["specular_weight"] = 0.0
             del found["specular_color"], found["specular_roughness"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import ClassVar, Self
 
 import numpy as np
 
@@ -33,6 +33,10 @@ class Surface(BRDF, ABC):
     candidates: ClassVar[tuple[str, ...]]
     #: What the program has besides, in a sentence.
     left_out: ClassVar[str]
+
+    def canonical(self) -> Self:
+        """The same surface with parameters that the program has, where a fit may take others; nearly the same where they cannot be."""
+        return self
 
     def written(self) -> Numbers:
         """The parameters as the program takes them: numbers, and colours of three."""
