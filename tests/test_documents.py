@@ -23,6 +23,7 @@ ROCK = motes.OrenNayar(K_d=(0.8, 0.7, 0.6), sigma_d=0.4) + motes.TorranceSparrow
 TEXTS = {
     name: re.findall(r"```python\n(.*?)```", (ROOT / name).read_text("utf-8"), re.DOTALL)
     for name in ("README.md", *sorted(f"docs/{path.name}" for path in (ROOT / "docs").glob("*.md")))
+    if not name.startswith("docs/tutorial_")  # tests/test_tutorials.py runs these, with their commands
 }
 
 
