@@ -276,7 +276,7 @@ def test_the_steps_of_an_iteration_are_printed_as_numpy_runs_them() -> None:
 
 def test_the_steps_to_errors_and_verdicts_are_printed_as_numpy_runs_them() -> None:
     both = _Both()
-    bright, noise = both.scalar("bright", 1, 2), both.scalar("variance", 0.1, 0.2)
+    bright, relaxed = both.scalar("bright", 1, 2), both.of("relaxed", both.rng.uniform(size=(SIZE, LANES)))
     among = both.of("among", (both.rng.uniform(size=(SIZE, LANES)) < 0.8).astype(float))
     span, squared = both.of("span", np.full((SIZE, LANES), 0.7)), both.of("squared", np.ones((SIZE, LANES)))
     zero, one, x = both.none, both.one, both.x
@@ -290,9 +290,8 @@ def test_the_steps_to_errors_and_verdicts_are_printed_as_numpy_runs_them() -> No
     both.same(covariance.noise_of, both.matrix, both.middle, among)
     unit = both.of("unit", np.repeat(np.eye(SIZE)[:, :1], LANES, axis=1))
     both.same(covariance.pushed_out, unit, both.gradient, span, both.middle, both.matrix, among)
-    wider = tuple(covariance.Inverse(both.middle[k], zero[k]) for k in range(2))
     stand = tuple(covariance.Standing(zero[k], zero[k], zero[k], among[k]) for k in range(2))
-    both.same(covariance.errors, both.matrix, wider, noise, stand, zero, columns, one)
+    both.same(covariance.errors, both.matrix, relaxed, zero, stand, zero, columns, one)
     both.same(covariance.own_error, x, one, squared)
     both.same(covariance.judged, x, span, columns, zero)
     both.same(lambda algebra, inverse, middle: algebra.sandwich(inverse, middle), both.matrix, both.middle)
