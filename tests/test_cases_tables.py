@@ -251,6 +251,15 @@ def test_more_light_out_than_in_is_said(scale: float, words: str, tmp_path: Path
     assert implausible(flat(tmp_path, f)) == ()
 
 
+def test_light_back_to_the_lamp_is_odd_of_a_layer_and_not_of_a_powder(tmp_path: Path) -> None:
+    angles = goniometer((15, 45), range(5, 70, 10), (0, 60, 120, 180))
+    for model in (motes.Hapke(w=0.5, g=-0.4), motes.Dust(w=0.5, g=-0.4)):
+        f = evaluated(model, angles, 0.01)
+        data = flat(tmp_path, np.broadcast_to(f, (len(angles), 3)))
+        said = [s for s in motes.fit(data, model).findings if "back to the lamp" in s]
+        assert bool(said) == isinstance(model, motes.Dust)
+
+
 @pytest.mark.parametrize("filler", [0.0, 9999.0, 1e7])
 def test_numbers_that_stand_for_no_reading_are_said_and_left_out_on_request(filler: float, tmp_path: Path) -> None:
     angles = goniometer((15, 45), range(5, 70, 10), (0, 60, 120, 180))

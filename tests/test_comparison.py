@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 from pathlib import Path
 
@@ -58,6 +59,9 @@ def test_the_table_and_its_files(found: Comparison, tmp_path: Path) -> None:
     assert [one["model"] for one in saved["models"]] == MODELS
     assert [one["left_out"] for one in saved["models"]] == pytest.approx([row.left_out for row in found.rows])
     page = found.report(tmp_path / "c.html").read_text()
+    ends = re.findall(r"\+([\d.]+) %<", page.partition("all on one scale")[2])
+    assert len(ends) >= len(found.rows)
+    assert len(set(ends)) == 1  # models are compared by colours
     for text in MODELS:
         assert page.count(text) >= 2  # in the table, and above its residuals
     assert "http" not in page.replace("http-equiv", "").replace("http://www.w3.org", "")

@@ -123,6 +123,9 @@ def _albedo(fit: Fit | TimeFit) -> list[str]:
 
 
 def _backward(fit: Fit | TimeFit) -> list[str]:
+    """A layer that scatters back to the lamp; powders with an opposition surge do, and are no layer."""
+    if fit.brdf.slots(Role.SURGE_STRENGTH) and not fit.brdf.slots(Role.DEPTH):
+        return []
     for name, value, error in _values(fit, Role.ASYMMETRY):
         lowest = float(np.nanmin(value + SURE * np.nan_to_num(error, nan=0.0)))
         if lowest < BACKWARD:

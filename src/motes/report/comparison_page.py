@@ -13,7 +13,7 @@ from motes.files import write_text
 from motes.fitting.model_table import Compared, Comparison
 from motes.report.document import document, last_words
 from motes.report.findings import percent
-from motes.report.residuals import residual_figure
+from motes.report.residuals import residual_figure, shared_end
 from motes.report.slices import Samples
 
 VERDICTS = {
@@ -31,6 +31,8 @@ def write_comparison(found: Comparison, path: str | os.PathLike[str]) -> Path:
 def render(found: Comparison) -> str:
     """The page as text."""
     data = found.measurement
+    samples = [Samples.of(row.fit) for row in found.rows]
+    end = shared_end(samples)
     parts = [
         tag("h1", f"{data.name}: {len(found.rows)} models"),
         tag("p", VERDICTS[found.dusty]),
@@ -42,8 +44,11 @@ def render(found: Comparison) -> str:
             "measured directions; about 1 is just visible.",
             class_="note",
         ),
-        tag("h2", "Residuals"),
-        *(join(tag("h3", row.fit.model_text), residual_figure(Samples.of(row.fit))) for row in found.rows),
+        tag("h2", "Residuals, all on one scale"),
+        *(
+            join(tag("h3", row.fit.model_text), residual_figure(each, end))
+            for row, each in zip(found.rows, samples, strict=True)
+        ),
         last_words(""),
     ]
     return document(f"{data.name}: models compared", *parts)

@@ -94,28 +94,54 @@ def _density(samples: Samples, index: Sequence[int], scale: Scale) -> NDArray[np
     return np.concatenate([sequential(shade), np.where(counts > 0, 255, 0).astype(np.uint8)[..., None]], -1)
 
 
-def residual_figure(samples: Samples) -> Html:
+def _drawn(samples: Samples) -> Samples:
+    """Those that a figure shows: few enough, with a measured and a fitted value."""
+    samples = samples.thinned(MOST_CELLS)
+    return samples.take(np.flatnonzero(np.isfinite(samples.measured + samples.fitted).any(1)))
+
+
+def _difference(samples: Samples) -> Floats:
+    """Fitted less measured (N,), the mean over channels, as a share of RMS(measured)."""
+    usable = np.isfinite(samples.measured) & np.isfinite(samples.fitted)
+    rms = float(np.sqrt(np.mean(samples.measured[usable] ** 2))) or 1.0
+    mean = np.nansum(np.where(usable, samples.fitted - samples.measured, 0), axis=1) / np.maximum(usable.sum(1), 1)
+    return np.asarray(mean / rms)
+
+
+def _end(value: Floats) -> float:
+    """The end of a scale that holds nearly all values."""
+    return float(f"{np.percentile(np.abs(value), 98) or 1.0:.1g}")
+
+
+def shared_end(several: Sequence[Samples]) -> float | None:
+    """The end of one scale of differences for several fits beside each other: of the worst, but no more than five times that of the best, which would
+    be blank."""
+    ends = [_end(_difference(drawn)) for samples in several if len(drawn := _drawn(samples))]
+    return min(max(ends), 5 * min(ends)) if ends else None
+
+
+def residual_figure(samples: Samples, end: float | None = None) -> Html:
     """Where over the hemisphere the fit is too bright (red) or too dark (blue), one disc for each angle of incidence.
 
-    Differences as a share of RMS(measured); where the measurement spans decades, in which case the highlight takes that scale for itself, ratios too.
+    Differences as a share of RMS(measured), up to `end` where that is given; where the measurement spans decades, in which case the highlight takes that
+    scale for itself, ratios too.
     """
-    samples = samples.thinned(MOST_CELLS)
-    samples = samples.take(np.flatnonzero(np.isfinite(samples.measured + samples.fitted).any(1)))
+    samples = _drawn(samples)
     if not len(samples):
         return tag(
             "p", "No sample has both a measured and a fitted value: there is no residual to draw.", class_="note"
         )
     usable = np.isfinite(samples.measured) & np.isfinite(samples.fitted)
-    rms = float(np.sqrt(np.mean(samples.measured[usable] ** 2))) or 1.0
-    mean = np.nansum(np.where(usable, samples.fitted - samples.measured, 0), axis=1) / np.maximum(usable.sum(1), 1)
     positive = samples.measured[usable & (samples.measured > 0)]
-    maps = [_discs(samples, mean / rms, "difference")]
+    difference = _difference(samples)
+    maps = [_discs(samples, difference, "difference", end or _end(difference))]
     if positive.size and np.percentile(positive, 99) > 30 * np.median(positive):
         low, high = np.percentile(positive, 0.5), positive.max()
         sums = [
             np.nansum(np.clip(a, low, high), 1) for a in (samples.fitted, samples.measured)
         ]  # a floor, so that noise at 0 makes no infinities
-        maps.append(_discs(samples, np.log2(sums[0] / np.maximum(sums[1], low)), "ratio"))
+        ratio = np.asarray(np.log2(sums[0] / np.maximum(sums[1], low)))
+        maps.append(_discs(samples, ratio, "ratio", _end(ratio)))
     one_sided = _one_sided(samples)
     caption = (
         "The hemisphere of viewing directions seen from above; the distance from the middle is θᵣ (circles at 30°, 60°, 90°), the light comes from the left "
@@ -127,9 +153,8 @@ def residual_figure(samples: Samples) -> Html:
     return tag("figure", *(join(bar, panels) for bar, panels, _ in maps), tag("figcaption", caption))
 
 
-def _discs(samples: Samples, value: Floats, kind: str) -> tuple[Html, Html, str]:
+def _discs(samples: Samples, value: Floats, kind: str, limit: float) -> tuple[Html, Html, str]:
     """The colour scale, the discs, and what the caption has to add."""
-    limit = float(f"{np.percentile(np.abs(value), 98) or 1.0:.1g}")
     if kind == "difference":
         ends, words = (
             (f"−{100 * limit:g} %", f"+{100 * limit:g} %"),
