@@ -385,6 +385,26 @@ def windows(data: tuple[int, int, int, int], display: tuple[int, int, int, int])
     return {"dataWindow": box(data), "displayWindow": box(display)}
 
 
+def test_a_tile_larger_than_the_picture_is_refused_where_it_takes_too_much(tmp_path: Path) -> None:
+    """It is decoded whole, whatever lies in it."""
+    from OpenImageIO import ImageOutput, ImageSpec
+
+    spec = ImageSpec(24, 20, 3, "half")
+    spec.tile_width, spec.tile_height = 16, 16
+    output = ImageOutput.create(str(tmp_path / "a.exr"))
+    output.open(str(tmp_path / "a.exr"), spec)
+    output.write_image(np.full((20, 24, 3), 0.5, np.float16))
+    output.close()
+    whole = (tmp_path / "a.exr").read_bytes()
+    assert exr.read_exr(tmp_path / "a.exr", "tests").values.shape == (20, 24, 3)
+    sizes = (16).to_bytes(4, "little") * 2
+    at = whole.index(b"tiledesc") + len("tiledesc") + 1 + 4
+    assert whole[at : at + 8] == sizes
+    (tmp_path / "b.exr").write_bytes(whole[:at] + (1 << 20).to_bytes(4, "little") + sizes[4:] + whole[at + 8 :])
+    with pytest.raises(FormatError, match="a tile of 1048576 x 16 pixels would take"):
+        exr.read_exr(tmp_path / "b.exr", "tests")
+
+
 def test_a_picture_is_what_its_display_window_shows(tmp_path: Path) -> None:
     pytest.importorskip("OpenEXR")
     ramp = np.arange(12, dtype=np.float32).reshape(3, 4)

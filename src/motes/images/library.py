@@ -94,3 +94,7 @@ def check_size(path: Path, facts: Any, channels: int, width: int) -> None:
         raise FormatError(f"{path} is {facts.width} x {facts.height} pixels", "The file is damaged")
     count = int(facts.width) * int(facts.height) * channels
     budget.check(path, count * width, f"{facts.width} x {facts.height} pixels of {channels} channels")
+    if facts.tile_width:  # a tile is decoded whole, with all channels, however little of the picture lies in it
+        tile = int(facts.tile_width) * int(facts.tile_height)
+        size = tile * int(facts.nchannels) * max(width, 4)
+        budget.check(path, size, f"a tile of {facts.tile_width} x {facts.tile_height} pixels")
