@@ -41,9 +41,10 @@ def test_killed_at_any_operation_it_can_go_on(job: str, tmp_path: Path) -> None:
     assert result.returncode == 0, result.stderr
     undisturbed, *killed = (json.loads(line) for line in result.stdout.splitlines())
     assert (undisturbed["ended"], undisturbed["left"]) == (0, ["out.zarr"])
-    assert len(killed) >= 4
+    assert sum(one["ended"] == 137 for one in killed) >= 4
     for one in killed:
-        assert one["ended"] == 137
+        # Zarr's threads make a folder that another has just made: a run may have an operation less than the first, and then ends whole.
+        assert one["ended"] == 137 or (one["ended"], one["after"]) == (0, undisturbed["after"])
         assert one["after"] in {"nothing", undisturbed["after"]} or (
             job == "restart" and one["after"] == undisturbed["again"]
         )
