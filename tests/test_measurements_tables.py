@@ -331,3 +331,18 @@ def test_a_measurement_is_written_and_read_back(tmp_path: Path) -> None:
         np.testing.assert_array_equal(again.weights, data.weights)
         for name in ("wi", "wo"):
             np.testing.assert_allclose(getattr(again, name), getattr(data, name), atol=1e-12)
+
+
+@pytest.mark.parametrize("text", ["alpha,beta,f\n1,2,0.1\n3,4,0.2\n", "# alpha beta f\n 1 2 0.1\n 3 4 0.2\n"])
+def test_a_table_whose_columns_name_no_direction_is_told_so(text: str, tmp_path: Path) -> None:
+    with pytest.raises(FormatError, match="no column is a direction by its name; its columns are 'alpha', 'beta', 'f'"):
+        read(written(tmp_path, text))
+
+
+@pytest.mark.parametrize(
+    "text", ["Dear all,\nhere are 3 numbers, 4 words, 5 signs.\n", '{"a": [1, 2, 3]}\n', "\x00\x01,\x02\n1,2\n"]
+)
+def test_what_is_no_table_is_not_called_one(text: str, tmp_path: Path) -> None:
+    with pytest.raises(FormatError) as caught:
+        read(written(tmp_path, text))
+    assert "looks like a table" not in caught.value.message

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 
+from motes.measurements._cells import NUMBER
+
 SEPARATORS = (r"\t", r";", r",", r"\|", r"\s{2,}", r"\s+")
 LINES = 50  # that are looked at
-COMMENTS = re.compile(r"\s*(?:#|%|//|!)+")
-_NUMBER = re.compile(r"[-+]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eEdD][-+]?\d+)?")
 
 
 def strange_header(text: str) -> list[str]:
@@ -17,14 +17,14 @@ def strange_header(text: str) -> list[str]:
     """
     lines = [line.strip() for line in re.split(r"\r\n|\r|\n", text)[:-1] if line.strip()][:LINES]
     for separator in SEPARATORS:
-        rows = [[cell.strip(' "') for cell in re.split(separator, COMMENTS.sub("", line))] for line in lines]
+        rows = [[cell.strip(' "') for cell in re.split(separator, line.lstrip("#%!/").strip())] for line in lines]
         for at, names in enumerate(rows[:-1]):
             below = rows[at + 1 : at + 6]
             if (
                 len(names) >= 3
-                and not any(_NUMBER.fullmatch(name) for name in names)
-                and all(len(row) == len(names) and any(_NUMBER.fullmatch(cell) for cell in row) for row in below)
-                and any(all(_NUMBER.fullmatch(cell) for cell in row) for row in below)
+                and not any(NUMBER.fullmatch(name) for name in names)
+                and all(len(row) == len(names) and any(NUMBER.fullmatch(cell) for cell in row) for row in below)
+                and any(all(NUMBER.fullmatch(cell) for cell in row) for row in below)
             ):
                 return names
     return []
