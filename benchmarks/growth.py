@@ -22,7 +22,7 @@ EVALUATION, FITS = "evaluations", "fits of texels"
 BYTES_DIRECTION, BYTES_TEXEL = 3 * 36, texels.DIRECTIONS * texels.CHANNELS * 4 + 1000
 # Below these a call's own cost shows, and growth is slower than linear.
 FROM = {EVALUATION: 10**5, FITS: 10**4}
-BOUND = 1.05
+BOUND = 1.02
 SMALL = 10**6  # directions, and a tenth as many texels, that are made; more are copies of these
 
 

@@ -18,7 +18,7 @@ def description() -> dict[str, str]:
     found = {
         "Processor": _processor(),
         "Processors": f"{os.cpu_count()} ({_usable()} for this process)",
-        "Vectors": _vectors(),
+        "Vectors": vectors(),
         "Caches": ", ".join(_caches()) or "unknown",
         "Memory": _memory(),
         "System": f"{platform.system()} {platform.release().split('-')[0]}, {platform.machine()}",
@@ -70,7 +70,7 @@ def _processor() -> str:
     return platform.processor() or platform.machine()
 
 
-def _vectors() -> str:
+def vectors() -> str:
     """The widest vector instructions that the system names."""
     flags = next(
         (line.split() for line in _read("/proc/cpuinfo").splitlines() if line.startswith(("flags", "Features"))), []

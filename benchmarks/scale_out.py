@@ -12,7 +12,7 @@ import numpy as np
 import scaling
 from results import Effort, Goal, Number, Section, Table, command
 
-GOAL = 0.85
+GOAL = 0.9
 
 
 def scale_out(effort: Effort) -> Section:

@@ -24,7 +24,7 @@ from rivals import SURFACE, cores
 from texel_cases import CHANNELS, DIRECTIONS, FITTED, HELD, WI, WO, Case, Floats, Series
 from timing import interleaved
 
-GOAL, STRETCH = 450_000, 1_000_000
+GOAL, STRETCH, TRENDS = 2_000_000, 4_000_000, 243_000
 LABELS = {
     "clean": "`TexelSolver`, without noise",
     "noisy": "`TexelSolver`, 2 % noise",
@@ -176,6 +176,7 @@ def texel_fits(effort: Effort) -> Section:
             Goal("texels a second, 2 % noise", "noisy_rate", GOAL),
             Goal("the same, stretch", "noisy_rate", STRETCH),
             Goal("texels a second, without noise", "clean_rate", GOAL),
+            Goal("texels a second, 12 times together", "joint_rate", TRENDS),
             Goal("within 1 % of the truth without noise", "near_clean", 100, unit=" %"),
         ],
         reading=reading(figures),
