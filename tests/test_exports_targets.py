@@ -16,7 +16,7 @@ from catalogue import ENTRIES, Entry
 from motes import Material
 from motes.ageing import age
 from motes.errors import MotesError, ParameterError
-from motes.exports import TARGETS, export, targets
+from motes.exports import SURFACES, TARGETS, export, targets
 from motes.models import BRDF, Sum, registered
 from shader_support import MODELS
 
@@ -85,6 +85,22 @@ def test_a_folder_is_refused(tmp_path: Path) -> None:
         export(PAINT, "glsl", tmp_path)
 
 
+@pytest.mark.parametrize("to", [*TARGETS, *SURFACES])
+def test_a_file_of_another_kind_by_its_name_is_refused(to: str, tmp_path: Path) -> None:
+    with pytest.raises(ParameterError) as refused:
+        export(PAINT, to, tmp_path / "paint.v2.png", hours=2)
+    target = targets.target_named(to)
+    assert str(refused.value).startswith(f"paint.v2.png is no name for {to}, whose files end in ")
+    assert all(suffix in str(refused.value) for suffix in target.suffixes)
+    assert f"Write -o paint.v2{target.suffix}" in str(refused.value)
+    assert not list(tmp_path.iterdir())
+
+
+def test_other_suffixes_of_a_language_are_taken(tmp_path: Path) -> None:
+    for to, name in (("c", "paint.cuh"), ("glsl", "paint.FRAG"), ("wgsl", "paint")):
+        assert export(PAINT, to, tmp_path / name, hours=2).files == (tmp_path / name,)
+
+
 @pytest.mark.parametrize("to", MODELLED)
 def test_nothing_half_written(to: str, tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
@@ -111,7 +127,7 @@ def test_every_model_has_a_lobe_and_a_sentence() -> None:
 def test_every_model_goes_to_programs_of_lobes(entry: Entry, tmp_path: Path) -> None:
     """What a model's lobes are computed by has words in OSL and nodes in MaterialX, whatever its options."""
     for to in ("osl", "materialx") if entry.model.channels in (1, 3) else ("osl",):
-        assert export(entry.model, to, tmp_path / f"x.{to}").files[0].stat().st_size > 1000
+        assert export(entry.model, to, tmp_path / f"x{targets.TARGETS[to].suffix}").files[0].stat().st_size > 1000
 
 
 def test_doctest() -> None:

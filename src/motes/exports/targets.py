@@ -30,7 +30,7 @@ class Target:
     title
         For people.
     suffix
-        Of the file.
+        Of the file, where no name is given.
     module
         Under `motes.exports`.
     options
@@ -39,6 +39,8 @@ class Target:
         Whether one file holds a material at several moments.
     measured
         Whether it holds a `Measurement` as it is, too.
+    others
+        Further suffixes that a file of it may have.
     """
 
     title: str
@@ -47,19 +49,27 @@ class Target:
     options: tuple[str, ...] = ()
     over_time: bool = False
     measured: bool = False
+    others: tuple[str, ...] = ()
+
+    @property
+    def suffixes(self) -> tuple[str, ...]:
+        """All suffixes that a file of it may have."""
+        return (self.suffix, *self.others)
 
 
 TARGETS: dict[str, Target] = {
-    "glsl": Target("GLSL ES 3.00 or 4.5: functions and uniforms", ".glsl", "glsl", ("version",)),
+    "glsl": Target(
+        "GLSL ES 3.00 or 4.5: functions and uniforms", ".glsl", "glsl", ("version",), others=(".frag", ".vert")
+    ),
     "wgsl": Target("WGSL: functions and a buffer of parameters", ".wgsl", "wgsl"),
-    "hlsl": Target("HLSL: functions and a constant buffer", ".hlsl", "hlsl"),
+    "hlsl": Target("HLSL: functions and a constant buffer", ".hlsl", "hlsl", others=(".hlsli", ".fxh")),
     "osl": Target("OSL: a shader with the value and the nearest closures", ".osl", "osl"),
-    "c": Target("C99, C++ and CUDA: a header", ".h", "c", ("scalar",)),
+    "c": Target("C99, C++ and CUDA: a header", ".h", "c", ("scalar",), others=(".hpp", ".hh", ".cuh", ".c")),
     "materialx": Target("MaterialX 1.39: a document with nodes of its own and standard ones", ".mtlx", "materialx"),
     "mitsuba": Target("Mitsuba 3: a scene's BSDFs in XML", ".xml", "mitsuba"),
-    "three": Target("three.js: a module with a ShaderMaterial", ".js", "three"),
+    "three": Target("three.js: a module with a ShaderMaterial", ".js", "three", others=(".mjs",)),
     "merl": Target("MERL: a table of half and difference angles", ".binary", "merl_table"),
-    "csv": Target("CSV: a table of angles, times and channels", ".csv", "csv_table", over_time=True),
+    "csv": Target("CSV: a table of angles, times and channels", ".csv", "csv_table", over_time=True, others=(".txt",)),
     "bird": Target(
         "BiRD JSON: values with uncertainties and provenance", ".json", "bird_json", over_time=True, measured=True
     ),
@@ -166,9 +176,7 @@ def export(
         return _export_measurement(material, to, path, hours)
     moments = _moments(material, target, hours, several=to not in SURFACES)
     first = moments[0][1]
-    file = Path(path) if path is not None else Path(f"{first.identifier}{target.suffix}")
-    if file.is_dir():
-        raise ParameterError(f"{file} is a folder", f"Name a file, such as {file / (first.identifier + target.suffix)}")
+    file = _named(path, first.identifier, to, target)
     module = importlib.import_module(f"motes.exports.{target.module}")
     if to in SURFACES:
         return _fitted(module, SURFACES[to][1], [what for _, what in moments], file)
@@ -194,6 +202,26 @@ def target_named(to: str) -> Target:
     raise ParameterError(
         f"{to!r} is nothing that Motes exports to", f"It exports to {', '.join([*TARGETS, *SURFACES])}"
     )
+
+
+def either(words: Sequence[str]) -> str:
+    """Words as ``a, b or c``."""
+    return " or ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
+
+
+def _named(path: str | os.PathLike[str] | None, name: str, to: str, target: Target) -> Path:
+    """The file to write: one that is asked for, whose suffix must be of the target, or one by the material's name."""
+    if path is None:
+        return Path(f"{name}{target.suffix}")
+    file = Path(path)
+    if file.is_dir():
+        raise ParameterError(f"{file} is a folder", f"Name a file, such as {file / (name + target.suffix)}")
+    if file.suffix and file.suffix.lower() not in target.suffixes:
+        raise ParameterError(
+            f"{file.name} is no name for {to}, whose files end in {either(target.suffixes)}",
+            f"Write -o {file.stem}{target.suffix}, or choose another target with --to",
+        )
+    return file
 
 
 def _fitted(module: Any, kind: str, moments: Sequence[Subject], file: Path) -> Exported:
@@ -229,11 +257,7 @@ def _export_measurement(
         )
     if hours is not None:
         raise ParameterError("hours choose the moment of a material, and these are measured data", "Leave hours out")
-    file = Path(path) if path is not None else Path(f"{identifier(data.name)}{target.suffix}")
-    if file.is_dir():
-        raise ParameterError(
-            f"{file} is a folder", f"Name a file, such as {file / (identifier(data.name) + target.suffix)}"
-        )
+    file = _named(path, identifier(data.name), to, target)
     module = importlib.import_module(f"motes.exports.{target.module}")
     return Exported((file,), tuple(module.write_measurement(data, file)))
 
