@@ -81,13 +81,14 @@ def closing(x, room, own, box, columns, row, basis, times, samples, data, roughl
     matrix, point = x + 8 * LANES * (SIZE + 2 + SIZE), room + AT_POINT
     gradient, spread = middle + 16 * LANES, middle + 8 * LANES * (2 + SIZE)
     free = stand + 8 * LANES * 3 * SIZE
+    objective, ending, bright = x + 8 * LANES * SIZE, x + 8 * LANES * (SIZE + ROWS + ENDING), x + 8 * LANES * (SIZE + ROWS + BRIGHTNESS)
     {curving}
     if roughly:
         for k in range(SIZE):
             for n in range(LANES):
                 store(D, found, k * LANES + n, load(D, curvature, (k * (k + 1) // 2 + k) * LANES + n, "other", 1), "plain", 0, 1)
         return
-    standing_at(x, curvature, x + 8 * LANES * (SIZE + ROWS + BRIGHTNESS), box, stand)
+    standing_at(x, curvature, bright, box, stand)
     clear(loose, SIZE)
     clear(blurred, SIZE + 1)
     for again in range(2):  # what is only seen in sums is left out the second time
@@ -100,7 +101,7 @@ def closing(x, room, own, box, columns, row, basis, times, samples, data, roughl
     clear(middle, ROWS + 1)
     for t in range(times):
         {middle}
-    polished(x, x + 8 * LANES * (SIZE + ROWS + ENDING), x + 8 * LANES * (SIZE + ROWS + BRIGHTNESS), middle, gradient, inverse, among, box, point)
+    polished(x, objective, ending, bright, middle, gradient, inverse, among, box, point)
     for k in range(SIZE):
         column_of(inverse, k, column)
         row_at(column, inverse, spread, unit)

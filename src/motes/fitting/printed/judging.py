@@ -2,173 +2,138 @@
 
 from __future__ import annotations
 
+import inspect
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 
-from motes.fitting import covariance, second_look
+from motes.fitting import covariance as steps
+from motes.fitting import levenberg, second_look
 from motes.fitting.algebra import absolute
 from motes.fitting.columns import Columns
 from motes.fitting.losses import Floats
 from motes.fitting.printed.formulas import Formula, Formulas, triangle_of
 from motes.fitting.printed.rows import Rows, Target, Uniform, lane_function
+from motes.graph.symbols import Symbol
 
 #: What all texels share, in the order of the box: vectors of the columns, and numbers.
 BOX = ("low", "high", "reduction", "rounding", "whole", "span", "least", "most", "rest")
 NUMBERS = ("reduction", "rounding", "whole")
+# What the arguments of a function are by their names: packed matrices, and numbers; all others are vectors.
+_MATRICES = frozenset({"matrix", "bent", "inverse", "middle", "covariance"})
+_NUMBERS = frozenset({"objective", "ending", "brightness", "squares"})
 
 
-class _Printed:
-    """The functions for so many coefficients; rows of packed matrices, of (P,) vectors and of single numbers."""
+def _rest(algebra: Formulas, x: Formula, matrix: Formula, brightness: Formula, columns: Columns) -> tuple[Formula, ...]:
+    """The point with what is not seen at its default, and whether that is another point."""
+    rested = steps.rested(algebra, x, steps.standing(algebra, x, matrix, columns, brightness).unseen, columns)
+    return rested, algebra.total(absolute(algebra, rested - x))
 
-    def __init__(self, signed: Floats, squared: Floats) -> None:
-        self.size = len(signed)
-        self.signed, self.squared = signed, squared
 
-    def start(self) -> tuple[Formulas, Columns, Uniform]:
-        """A new graph, and the columns of its vectors."""
-        algebra = Formulas()
-        box = {name: algebra.number(name) if name in NUMBERS else algebra.vector(name, self.size) for name in BOX}
-        columns = Columns(
-            **{name: box[name] for name in BOX if name not in NUMBERS},
-            signed=algebra.numbers(self.signed),
-            squared=algebra.numbers(self.squared),
-            fixed=algebra.numbers(np.zeros(self.size)),
-        )
-        return algebra, columns, Uniform("box", tuple(leaf for vector in box.values() for leaf in vector))
+def _inverse(algebra: Formulas, matrix: Formula, among: Formula, blurred: Formula) -> tuple[Formula, Formula]:
+    """The inverse of the curvature among some columns; and what is blurred, that before included, with its number."""
+    inverse = steps.inverted(algebra, matrix, among)
+    now = algebra.maximum(blurred, inverse.blurred)
+    return inverse.matrix, np.concatenate([now, algebra.total(now)])
 
-    @staticmethod
-    def rows(**given: Formula) -> list[Rows | Uniform]:
-        return [
-            Rows(name, "D").put(triangle_of(formula) if formula.ndim == 2 else list(formula))
-            for name, formula in given.items()
-        ]
 
-    def curvature(self) -> str:
-        """``curvature_at``: the curvature, or where that has no minimum the matrix of the steps."""
-        algebra = Formulas()
-        bent, matrix = algebra.matrix("bent", self.size), algebra.matrix("matrix", self.size)
-        least = -algebra.largest(-algebra.diagonal(bent))
-        result = algebra.where(algebra.less(least, 0.0), matrix, bent)
-        return lane_function(
-            "curvature_at", self.rows(bent=bent, matrix=matrix), [Target("curvature", "D", triangle_of(result))]
-        )
+def _polished(
+    algebra: Formulas,
+    x: Formula,
+    objective: Formula,
+    ending: Formula,
+    brightness: Formula,
+    squares: Formula,
+    gradient: Formula,
+    inverse: Formula,
+    among: Formula,
+    columns: Columns,
+    whole: Formula,
+) -> tuple[Formula, Formula]:
+    """A last step by the gradient at the solution, which is summed from residuals and so sure to more digits than moments are; and whether that
+    gradient says that the fit ended elsewhere."""
+    moved = levenberg.polished(algebra, x, objective, ending, gradient, inverse, among, columns.low, columns.high)
+    return moved, levenberg.adrift(algebra, squares / whole, brightness, ending, gradient, inverse, among)
 
-    def standing(self) -> str:
-        """``standing_at``: at the lower bound, at the upper one, not seen, free."""
-        algebra, columns, box = self.start()
-        x, curvature = algebra.vector("x", self.size), algebra.matrix("curvature", self.size)
-        bright = algebra.number("bright")
-        stand = covariance.standing(algebra, x, curvature, columns, bright)
-        results = [item for part in stand for item in algebra.lifted(part)]
-        return lane_function(
-            "standing_at", [*self.rows(x=x, curvature=curvature, bright=bright), box], [Target("stand", "D", results)]
-        )
 
-    def rest(self) -> str:
-        """``rest_at``: the point with what is not seen at its default, and whether that is another point."""
-        algebra, columns, box = self.start()
-        x, matrix = algebra.vector("x", self.size), algebra.matrix("matrix", self.size)
-        bright = algebra.number("bright")
-        unseen = covariance.standing(algebra, x, matrix, columns, bright).unseen
-        rested = covariance.rested(algebra, x, unseen, columns)
-        moved = algebra.total(absolute(algebra, rested - x))
-        return lane_function(
-            "rest_at",
-            [*self.rows(x=x, matrix=matrix, bright=bright), box],
-            [Target("trial", "D", [*algebra.lifted(rested), *algebra.lifted(moved)])],
-        )
+def _errors(
+    algebra: Formulas,
+    x: Formula,
+    stand: Formula,
+    covariance: Formula,
+    relaxed: Formula,
+    loose: Formula,
+    blurred: Formula,
+    wider_blurred: Formula,
+    columns: Columns,
+) -> tuple[Formula, ...]:
+    """Values and standard errors in the parameters' own units, verdicts, and 1 where these need a second look."""
+    standing = steps.Standing(*np.split(stand, 4))
+    errors = steps.errors(algebra, covariance, relaxed, wider_blurred, standing, blurred, columns, loose)
+    value = steps.own_value(algebra, x, columns.squared)
+    own = steps.own_error(algebra, x, errors.stderr, columns.squared)
+    stderr = algebra.where(algebra.less(0.5, errors.known), own, float("nan"))
+    codes = steps.judged(algebra, value, stderr, columns, errors.verdicts)
+    return value, stderr, codes, second_look.asks(algebra, value, stderr, columns)
 
-    def among(self) -> str:
-        """``among_at``: what is free and not blurred, or loose."""
-        algebra = Formulas()
-        free, blurred, loose = (algebra.vector(name, self.size) for name in ("free", "blurred", "loose"))
-        result = algebra.maximum(free * (1.0 - blurred), loose)
-        return lane_function(
-            "among_at",
-            self.rows(free=free, blurred=blurred, loose=loose),
-            [Target("among", "D", algebra.lifted(result))],
-        )
 
-    def inverse(self) -> str:
-        """``inverse_at``: the inverse of the curvature among some columns, and what is blurred, those before included, with their number."""
-        algebra = Formulas()
-        curvature, among = algebra.matrix("curvature", self.size), algebra.vector("among", self.size)
-        before = algebra.vector("blurred", self.size)
-        inverse = covariance.inverted(algebra, curvature, among)
-        blurred = algebra.maximum(before, inverse.blurred)
-        return lane_function(
-            "inverse_at",
-            self.rows(curvature=curvature, among=among, blurred=before),
-            [
-                Target("inverse", "D", algebra.lifted(triangle_of(inverse.matrix))),
-                Target("now_blurred", "D", [*algebra.lifted(blurred), *algebra.lifted(algebra.total(blurred))]),
-            ],
-        )
+#: The functions by name: what each computes from the rows that are its arguments, and the rows that the results go to, all of them or one each.
+FUNCTIONS: dict[str, tuple[Callable[..., Any], tuple[str, ...]]] = {
+    "standing_at": (steps.standing, ("stand",)),
+    "rest_at": (_rest, ("trial",)),
+    # What is free and not blurred, or loose.
+    "among_at": (lambda algebra, free, blurred, loose: algebra.maximum(free * (1.0 - blurred), loose), ("among",)),
+    "inverse_at": (_inverse, ("inverse", "now_blurred")),
+    "polished": (_polished, ("point",)),
+    # A row of inverse middle inverse, from a column of the inverse.
+    "row_at": (
+        lambda algebra, column, inverse, middle: algebra.times(inverse, algebra.times(middle, column)),
+        ("result",),
+    ),
+    "noise_at": (steps.noise_of, ("noise",)),
+    "push_at": (steps.pushed_out, ("firm",)),
+    "errors_at": (_errors, ("found",)),
+}
 
-    def row(self) -> str:
-        """``row_at``: a row of inverse middle inverse, from a column of the inverse."""
-        algebra = Formulas()
-        inverse, middle = algebra.matrix("inverse", self.size), algebra.matrix("middle", self.size)
-        column = algebra.vector("column", self.size)
-        result = algebra.times(inverse, algebra.times(middle, column))
-        given = self.rows(column=column, inverse=inverse, middle=middle)
-        return lane_function("row_at", given, [Target("result", "D", algebra.lifted(result))])
 
-    def noise(self) -> str:
-        """``noise_at``: the variance of a residual."""
-        algebra = Formulas()
-        curvature, middle = algebra.matrix("curvature", self.size), algebra.matrix("middle", self.size)
-        among = algebra.vector("among", self.size)
-        noise = covariance.noise_of(algebra, curvature, middle, among)
-        return lane_function(
-            "noise_at",
-            self.rows(curvature=curvature, middle=middle, among=among),
-            [Target("noise", "D", algebra.lifted(noise))],
-        )
-
-    def push(self) -> str:
-        """``push_at``: 1 where the data push a parameter out."""
-        algebra = Formulas()
-        unit, gradient, column, among = (
-            algebra.vector(name, self.size) for name in ("unit", "gradient", "column", "among")
-        )
-        inverse, middle = algebra.matrix("inverse", self.size), algebra.matrix("middle", self.size)
-        firm = covariance.pushed_out(algebra, unit, gradient, column, inverse, middle, among)
-        given = self.rows(unit=unit, gradient=gradient, column=column, inverse=inverse, middle=middle, among=among)
-        return lane_function("push_at", given, [Target("firm", "D", algebra.lifted(firm))])
-
-    def errors(self) -> str:
-        """``errors_at``: values and standard errors in the parameters' own units, verdicts, and 1 where these need a second look."""
-        algebra, columns, box = self.start()
-        size = self.size
-        x, stand = algebra.vector("x", size), algebra.vector("stand", 4 * size)
-        sandwich, relaxed = algebra.matrix("covariance", size), algebra.vector("relaxed", size)
-        loose = algebra.vector("loose", size)
-        blurred, wider_blurred = algebra.vector("blurred", size), algebra.vector("wider_blurred", size)
-        standing = covariance.Standing(*(stand[k * size : (k + 1) * size] for k in range(4)))
-        errors = covariance.errors(algebra, sandwich, relaxed, wider_blurred, standing, blurred, columns, loose)
-        value = covariance.own_value(algebra, x, columns.squared)
-        own = covariance.own_error(algebra, x, errors.stderr, columns.squared)
-        stderr = algebra.where(algebra.less(0.5, errors.known), own, float("nan"))
-        codes = covariance.judged(algebra, value, stderr, columns, errors.verdicts)
-        given = self.rows(
-            x=x, stand=stand, covariance=sandwich, relaxed=relaxed, loose=loose, blurred=blurred, wider_blurred=wider_blurred
-        )  # fmt: skip
-        asks = second_look.asks(algebra, value, stderr, columns)
-        results = [item for part in (value, stderr, codes, asks) for item in algebra.lifted(part)]
-        return lane_function("errors_at", [*given, box], [Target("found", "D", results)])
+def _curvature(algebra: Formulas, bent: Formula, matrix: Formula) -> Formula:
+    """The curvature, or where that has no minimum the matrix of the steps."""
+    return algebra.where(algebra.less(-algebra.largest(-algebra.diagonal(bent)), 0.0), matrix, bent)
 
 
 def verdict_functions(signed: Floats, squared: Floats, robust: bool) -> list[str]:
     """All of them, for columns of which some are signed, or in the square of their parameter (1, else 0)."""
-    printed = _Printed(signed, squared)
-    return [
-        *([printed.curvature()] if robust else []),
-        printed.standing(),
-        printed.rest(),
-        printed.among(),
-        printed.inverse(),
-        printed.row(),
-        printed.noise(),
-        printed.push(),
-        printed.errors(),
-    ]
+    functions = ({"curvature_at": (_curvature, ("curvature",))} if robust else {}) | FUNCTIONS
+    return [_printed(name, step, targets, signed, squared) for name, (step, targets) in functions.items()]
+
+
+def _printed(name: str, step: Callable[..., Any], targets: tuple[str, ...], signed: Floats, squared: Floats) -> str:
+    """The text of a function."""
+    algebra, size = Formulas(), len(signed)
+    box = {key: algebra.vector(key, 1 if key in NUMBERS else size) for key in BOX}
+    vectors = {key: vector for key, vector in box.items() if key not in NUMBERS}
+    held = {
+        "signed": algebra.numbers(signed),
+        "squared": algebra.numbers(squared),
+        "fixed": algebra.numbers(np.zeros(size)),
+    }
+    given: dict[str, Any] = box | {"columns": Columns(**vectors, **held)}
+    sources: list[Rows | Uniform] = []
+    _, *arguments = inspect.signature(step).parameters
+    for argument in arguments:
+        if argument not in given:
+            count = 1 if argument in _NUMBERS else 4 * size if argument == "stand" else size
+            one = algebra.matrix(argument, size) if argument in _MATRICES else algebra.vector(argument, count)
+            given[argument] = one
+            sources.append(Rows(argument, "D").put(_rows(algebra, one)))
+    if "columns" in arguments:
+        sources.append(Uniform("box", tuple(leaf for vector in box.values() for leaf in vector)))
+    found = step(algebra, **{argument: given[argument] for argument in arguments})
+    parts = [_rows(algebra, part) for part in (found if isinstance(found, tuple) else (found,))]
+    parts = parts if len(parts) == len(targets) else [[symbol for part in parts for symbol in part]]
+    return lane_function(name, sources, [Target(to, "D", part) for to, part in zip(targets, parts, strict=True)])
+
+
+def _rows(algebra: Formulas, formula: Formula) -> list[Symbol]:
+    return algebra.lifted(triangle_of(formula) if formula.ndim == 2 else formula)

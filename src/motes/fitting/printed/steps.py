@@ -15,7 +15,7 @@ LEAST_NOISE = {"direct": 1e-10, "moments": 1e-12, "series": 1e-12}
 
 
 def step_functions(size: int, form: str) -> list[str]:
-    """``held``, ``bounded_step``, ``proposal``, ``ended``, ``judged``, ``rested`` and ``polished`` for so many coefficients, in a form of the normal equations.
+    """``held``, ``bounded_step``, ``proposal``, ``ended``, ``judged`` and ``rested`` for so many coefficients, in a form of the normal equations.
 
     Their rows: ``state`` (the point, normal equations, `SCALARS`), ``own`` (1 for each coefficient that the texel holds), ``stops`` (what is
     stopped, the step, how many left the box), ``trial`` (a point, what it promises, why it is the last), ``fresh`` (normal
@@ -92,35 +92,4 @@ def step_functions(size: int, form: str) -> list[str]:
         *(s[0] for s in scalars),
     ]
     rested = lane_function("rested", [state, trial, fresh], [Target("next_state", "D", settled)])
-    return [held, bounded_step, proposal, ended, judged, rested, _polished(size)]
-
-
-def _polished(size: int) -> str:
-    """``polished``: a last step by the gradient at the solution, which is summed from residuals and so sure to more digits than moments are; and
-    whether that gradient says that the fit ended elsewhere.
-
-    Rows: ``x`` (the state), ``ending``, ``bright`` (the data's square), ``squares`` (of the residuals), ``slope`` (the gradient), ``inverse``,
-    ``among`` (what moves).
-    """
-    algebra = Formulas()
-    x, slope, among = algebra.vector("x", size), algebra.vector("slope", size), algebra.vector("among", size)
-    inverse, objective, ending = algebra.matrix("inverse", size), algebra.number("objective"), algebra.number("ending")
-    bright, squares = algebra.number("bright"), algebra.number("squares")
-    numbers = [algebra.number(name) for name in ("reduction", "rounding", "whole")]
-    low, high = algebra.vector("low", size), algebra.vector("high", size)
-    moved = levenberg.polished(algebra, x, objective, ending, slope, inverse, among, low, high)
-    adrift = levenberg.adrift(algebra, squares / numbers[2], bright, ending, slope, inverse, among)
-    return lane_function(
-        "polished",
-        [
-            Rows("x", "D").put([*x, *objective]),
-            Rows("ending", "D").put(ending),
-            Rows("bright", "D").put(bright),
-            Rows("squares", "D").put(squares),
-            Rows("slope", "D").put(slope),
-            Rows("inverse", "D").put(triangle_of(inverse)),
-            Rows("among", "D").put(among),
-            Uniform("box", (*low, *high, *(n[0] for n in numbers))),
-        ],
-        [Target("point", "D", [*algebra.lifted(moved), *algebra.lifted(adrift)])],
-    )
+    return [held, bounded_step, proposal, ended, judged, rested]
