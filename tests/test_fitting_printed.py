@@ -249,12 +249,21 @@ class _Both:
         """A step over arrays and over formulas gives the same numbers."""
         found = step(ARRAYS, *(pair[0] for pair in given))
         printed = step(self.algebra, *(pair[1] for pair in given))
-        parts = zip(found, printed, strict=True) if isinstance(found, tuple) else [(found, printed)]
+        parts = zip(_flat(found), _flat(printed), strict=True)
         for number, formula in parts:
             symbols = self.algebra.lifted(triangle_of(formula) if np.ndim(formula) == 2 else formula)
             values = [np.broadcast_to(v, LANES) for v in tracing.evaluate(NUMPY, symbols, self.numbers)]
             expected = np.stack(triangle_of(number)) if number.ndim == 3 else np.atleast_2d(number)
             np.testing.assert_allclose(values, expected, rtol=rtol, atol=1e-12)
+
+
+def _flat(found) -> list:
+    return [part for item in found for part in _flat(item)] if isinstance(found, tuple) else [found]
+
+
+def _bundle(kind, *pairs):
+    """What steps take together, over arrays and over formulas."""
+    return tuple(kind(*(pair[k] for pair in pairs)) for k in range(2))
 
 
 def test_the_steps_of_an_iteration_are_printed_as_numpy_runs_them() -> None:
@@ -266,12 +275,15 @@ def test_the_steps_of_an_iteration_are_printed_as_numpy_runs_them() -> None:
     stopped = both.of("stopped", (both.rng.uniform(size=(SIZE, LANES)) < 0.2).astype(float))
     given = both.of("given", 0.1 * stopped[0])
     ending = both.of("ending", np.arange(LANES) % 6.0)
-    x, gradient, matrix, low, high = both.x, both.gradient, both.matrix, both.low, both.high
-    both.same(levenberg.held, x, gradient, matrix, low, high, both.none, bright)
-    both.same(levenberg.bounded_step, x, gradient, matrix, damping, low, high, stopped, given)
-    both.same(levenberg.proposal, x, objective, gradient, matrix, damping, idle, given, low, high, reduction, noise)
-    both.same(levenberg.judged, objective, trial, promised, damping, growth, idle, reduction, noise)
-    both.same(levenberg.polished, x, objective, ending, gradient, both.middle, both.one, low, high)
+    at = _bundle(levenberg.At, both.x, objective, both.gradient, both.matrix)
+    box = _bundle(levenberg.Box, both.low, both.high)
+    state = _bundle(levenberg.Damping, damping, growth, idle)
+    precision = _bundle(levenberg.Precision, reduction, noise)
+    both.same(levenberg.held, at, box, both.none, bright)
+    both.same(levenberg.bounded_step, at, damping, box, stopped, given)
+    both.same(levenberg.proposal, at, state, given, box, precision)
+    both.same(levenberg.judged, objective, trial, promised, state, precision)
+    both.same(levenberg.polished, both.x, objective, ending, both.gradient, both.middle, both.one, box)
 
 
 def test_the_steps_to_errors_and_verdicts_are_printed_as_numpy_runs_them() -> None:

@@ -52,6 +52,37 @@ ENDINGS = (
 )
 
 
+class At(NamedTuple):
+    """A point (P, B), and there half the sum of squares (B,), its gradient (P, B) and the matrix J'J (P, P, B)."""
+
+    x: Array
+    objective: Array
+    gradient: Array
+    matrix: Array
+
+
+class Box(NamedTuple):
+    """The bounds of the parameters (P, 1)."""
+
+    low: Array
+    high: Array
+
+
+class Damping(NamedTuple):
+    """How much a step is damped, by what that grows, and how many points in a row were hardly better; all (B,)."""
+
+    size: Array
+    growth: Array
+    idle: Array
+
+
+class Precision(NamedTuple):
+    """The share of the objective that a full step must promise for a fit to go on, and what objectives are rounded to; (B,) or one number."""
+
+    reduction: Array
+    noise: Array
+
+
 class Step(NamedTuple):
     """A bounded step (P, B); 1 for what is stopped, those that it stopped included; how many it stopped (B,)."""
 
@@ -69,95 +100,59 @@ class Proposal(NamedTuple):
 
 
 class Judgement(NamedTuple):
-    """1 where the new point is taken, and the state of the damping; all (B,)."""
+    """1 where the new point is taken (B,), and the damping that follows."""
 
     better: Array
-    damping: Array
-    growth: Array
-    idle: Array
+    damping: Damping
 
 
-def held(
-    algebra: Algebra,
-    x: Array,
-    gradient: Array,
-    matrix: Array,
-    low: Array,
-    high: Array,
-    fixed: Array,
-    brightness: Array,
-) -> Array:
+def held(algebra: Algebra, at: At, box: Box, fixed: Array, brightness: Array) -> Array:
     """1 for what stays as it is in this step: fixed, not seen by the data, or at a bound and pushed out; else 0.
 
     `brightness` is the weighted sum of squares of the data.
     """
+    x, gradient = at.x, at.gradient
     size = algebra.maximum(absolute(algebra, x), 1e-3)
-    unseen = flag(algebra, algebra.less(algebra.diagonal(matrix) * size * size, BLIND * brightness + 1e-300))
-    at_low = algebra.where(algebra.less(low, x), 0.0, flag(algebra, algebra.less(0.0 * gradient, gradient)))
-    at_high = algebra.where(algebra.less(x, high), 0.0, flag(algebra, algebra.less(gradient, 0.0 * gradient)))
+    unseen = flag(algebra, algebra.less(algebra.diagonal(at.matrix) * size * size, BLIND * brightness + 1e-300))
+    at_low = algebra.where(algebra.less(box.low, x), 0.0, flag(algebra, algebra.less(0.0 * gradient, gradient)))
+    at_high = algebra.where(algebra.less(x, box.high), 0.0, flag(algebra, algebra.less(gradient, 0.0 * gradient)))
     return algebra.maximum(algebra.maximum(unseen, fixed), algebra.maximum(at_low, at_high))
 
 
-def bounded_step(
-    algebra: Algebra,
-    x: Array,
-    gradient: Array,
-    matrix: Array,
-    damping: Array,
-    low: Array,
-    high: Array,
-    stopped: Array,
-    given: Array,
-) -> Step:
+def bounded_step(algebra: Algebra, at: At, damping: Array, box: Box, stopped: Array, given: Array) -> Step:
     """Solve (H + damping diag H) step = -gradient for what is not `stopped`, whose steps are `given`; then stop what leaves the box."""
-    diagonal = algebra.diagonal(matrix)
+    diagonal = algebra.diagonal(at.matrix)
     floor = algebra.maximum(1e-20 * algebra.largest(diagonal), 1e-300)
     scale = 1.0 / algebra.sqrt(algebra.maximum(diagonal, floor))
     free = 1.0 - stopped
-    against = gradient + algebra.times(matrix, stopped * given)
-    scaled = with_diagonal(matrix * outer(scale * free), 1.0 + free * damping)
+    against = at.gradient + algebra.times(at.matrix, stopped * given)
+    scaled = with_diagonal(at.matrix * outer(scale * free), 1.0 + free * damping)
     solved = algebra.solve(scaled, -(against * scale * free)) * scale
     wanted = algebra.where(algebra.less(0.5 + 0.0 * stopped, stopped), given, solved)
-    within = algebra.minimum(algebra.maximum(wanted, low - x), high - x)
+    within = algebra.minimum(algebra.maximum(wanted, box.low - at.x), box.high - at.x)
     leaves = free * algebra.maximum(
         flag(algebra, algebra.less(within, wanted)), flag(algebra, algebra.less(wanted, within))
     )
     return Step(within, stopped + leaves, algebra.total(leaves))
 
 
-def proposal(
-    algebra: Algebra,
-    x: Array,
-    objective: Array,
-    gradient: Array,
-    matrix: Array,
-    damping: Array,
-    idle: Array,
-    step: Array,
-    low: Array,
-    high: Array,
-    reduction: Array,
-    noise: Array,
-) -> Proposal:
-    """The point of a step, and whether it is the last: see `ENDINGS`.
-
-    `reduction` is the share of the objective that a full step must promise for the fit to go on, `noise` what objectives are
-    rounded to.
-    """
-    moved = algebra.minimum(algebra.maximum(x + step, low), high)
+def proposal(algebra: Algebra, at: At, damping: Damping, step: Array, box: Box, precision: Precision) -> Proposal:
+    """The point of a step, and whether it is the last: see `ENDINGS`."""
+    x, objective, noise = at.x, at.objective, precision.noise
+    moved = algebra.minimum(algebra.maximum(x + step, box.low), box.high)
     delta = moved - x
-    promised = -algebra.total(delta * (gradient + 0.5 * algebra.times(matrix, delta)))
-    full = flag(algebra, algebra.less(damping, FULL_STEP + 0.0 * damping))
+    promised = -algebra.total(delta * (at.gradient + 0.5 * algebra.times(at.matrix, delta)))
+    full = flag(algebra, algebra.less(damping.size, FULL_STEP + 0.0 * damping.size))
     # Any step is small once it is damped enough: what it promises must be rounding then.
     nothing = flag(algebra, algebra.less(promised, 1e-13 * objective + 1e-6 * noise))
     away = algebra.largest(absolute(algebra, delta) / (absolute(algebra, x) + SMALL_STEP))
     small = flag(algebra, algebra.less(away, SMALL_STEP + 0.0 * away))
-    converged = flag(algebra, algebra.less(promised, reduction * objective + 1e-2 * noise + 1e-300))
+    converged = flag(algebra, algebra.less(promised, precision.reduction * objective + 1e-2 * noise + 1e-300))
     zero = 0.0 * objective
     ending = zero
     for code, condition in (  # the first that holds wins
-        (5.0, flag(algebra, algebra.less(MOST_DAMPING + zero, damping))),
-        (4.0, flag(algebra, algebra.less(PATIENCE - 0.5 + zero, idle))),
+        (5.0, flag(algebra, algebra.less(MOST_DAMPING + zero, damping.size))),
+        (4.0, flag(algebra, algebra.less(PATIENCE - 0.5 + zero, damping.idle))),
         (
             3.0,
             algebra.maximum(small * full, nothing * algebra.maximum(small, flag(algebra, algebra.less(zero, noise)))),
@@ -170,40 +165,25 @@ def proposal(
 
 
 def judged(
-    algebra: Algebra,
-    objective: Array,
-    trial: Array,
-    promised: Array,
-    damping: Array,
-    growth: Array,
-    idle: Array,
-    reduction: Array,
-    noise: Array,
+    algebra: Algebra, objective: Array, trial: Array, promised: Array, damping: Damping, precision: Precision
 ) -> Judgement:
     """Whether the objective at the new point, `trial`, is better (NaN is not), and the damping that follows."""
+    reduction, noise = precision
     better = flag(algebra, algebra.less(trial, objective + noise))
     surprise = 2.0 * ((objective - trial + noise) / (promised + noise + 1e-300)) - 1.0
     factor = algebra.minimum(algebra.maximum(1.0 - surprise * surprise * surprise, 0.2), 2.0)
     taken = algebra.less(0.5 + 0.0 * better, better)
     shrunk = algebra.less(HARDLY * reduction * objective + noise, objective - trial)
-    return Judgement(
-        better,
-        algebra.maximum(damping * algebra.where(taken, factor, growth), LEAST_DAMPING),
-        algebra.where(taken, FIRST_GROWTH, 2.0 * growth),
-        algebra.where(taken, algebra.where(shrunk, 0.0, idle + 1.0), idle),
+    after = Damping(
+        algebra.maximum(damping.size * algebra.where(taken, factor, damping.growth), LEAST_DAMPING),
+        algebra.where(taken, FIRST_GROWTH, 2.0 * damping.growth),
+        algebra.where(taken, algebra.where(shrunk, 0.0, damping.idle + 1.0), damping.idle),
     )
+    return Judgement(better, after)
 
 
 def polished(
-    algebra: Algebra,
-    x: Array,
-    objective: Array,
-    ending: Array,
-    gradient: Array,
-    inverse: Array,
-    among: Array,
-    low: Array,
-    high: Array,
+    algebra: Algebra, x: Array, objective: Array, ending: Array, gradient: Array, inverse: Array, among: Array, box: Box
 ) -> Array:
     """The point (P, B) one full step on from where a fit ended, by a gradient that is sure to more digits than those of the fit.
 
@@ -213,7 +193,7 @@ def polished(
     promised = -0.5 * algebra.total(step * gradient)
     zero = 0.0 * objective
     small = flag(algebra, algebra.less(promised, LAST_REDUCTION * objective + zero))
-    return algebra.minimum(algebra.maximum(x + step * (small * _by_itself(algebra, ending)), low), high)
+    return algebra.minimum(algebra.maximum(x + step * (small * _by_itself(algebra, ending)), box.low), box.high)
 
 
 def adrift(

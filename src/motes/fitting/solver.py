@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from motes.fitting import levenberg
 from motes.fitting.algebra import ARRAYS, Arrays
+from motes.fitting.levenberg import At, Box, Damping, Precision
 from motes.fitting.losses import Floats
 from motes.fitting.verdicts import Status
 
@@ -77,43 +78,30 @@ def minimize(
     batch, size = x.shape
     fixed = np.broadcast_to(np.zeros(size) if held is None else held, x.shape).astype(float)
     bright = np.broadcast_to(np.asarray(brightness, float), (batch,))
-    low_, high_ = np.broadcast_to(low, (size,))[:, None], np.broadcast_to(high, (size,))[:, None]
+    box = Box(*(np.broadcast_to(bound, (size,))[:, None] for bound in (low, high)))
+    precision = Precision(np.float64(reduction), np.float64(0.0))
 
     def at_rows(points: Floats, rows: NDArray[np.intp]) -> Normal:
         return normal(points) if sets is None else normal(points, sets[rows])
 
     objective, gradient, matrix = (np.array(part) for part in at_rows(x, np.arange(batch)))
     endings, iterations = np.zeros(batch, np.intp), np.zeros(batch, np.int64)
-    damping, growth = np.full(batch, levenberg.FIRST_DAMPING), np.full(batch, levenberg.FIRST_GROWTH)
-    idle = np.zeros(batch)
+    first = levenberg.FIRST_DAMPING, levenberg.FIRST_GROWTH, 0.0
+    damping = Damping(*(np.full(batch, number) for number in first))
     running = np.arange(batch)
     with np.errstate(all="ignore"):
         for _ in range(max_iterations):
             if not len(running):
                 break
-            xs, gs, hs = x[running].T, gradient[running].T, matrix[running].transpose(1, 2, 0)
-            stopped = levenberg.held(algebra, xs, gs, hs, low_, high_, fixed[running].T, bright[running])
-            step = np.zeros_like(xs)
+            at = At(x[running].T, objective[running], gradient[running].T, matrix[running].transpose(1, 2, 0))
+            damped = Damping(*(part[running] for part in damping))
+            stopped = levenberg.held(algebra, at, box, fixed[running].T, bright[running])
+            step = np.zeros_like(at.x)
             for _round in range(levenberg.ROUNDS):
-                step, stopped, leaving = levenberg.bounded_step(
-                    algebra, xs, gs, hs, damping[running], low_, high_, stopped, step
-                )
+                step, stopped, leaving = levenberg.bounded_step(algebra, at, damped.size, box, stopped, step)
                 if not leaving.any():
                     break
-            proposed = levenberg.proposal(
-                algebra,
-                xs,
-                objective[running],
-                gs,
-                hs,
-                damping[running],
-                idle[running],
-                step,
-                low_,
-                high_,
-                reduction,
-                0.0,
-            )
+            proposed = levenberg.proposal(algebra, at, damped, step, box, precision)
             moved, promised = proposed.moved.T, proposed.promised
             ended = proposed.ending > 0
             endings[running[ended]] = proposed.ending[ended].astype(np.intp)
@@ -123,18 +111,10 @@ def minimize(
                 break
             iterations[running] += 1
             new = at_rows(moved, running)
-            verdict = levenberg.judged(
-                algebra,
-                objective[running],
-                new.objective,
-                promised,
-                damping[running],
-                growth[running],
-                idle[running],
-                np.float64(reduction),
-                np.float64(0.0),
-            )
-            damping[running], growth[running], idle[running] = verdict.damping, verdict.growth, verdict.idle
+            damped = Damping(*(part[running] for part in damping))
+            verdict = levenberg.judged(algebra, objective[running], new.objective, promised, damped, precision)
+            for part, after in zip(damping, verdict.damping, strict=True):
+                part[running] = after
             better = verdict.better > 0
             accepted = running[better]
             x[accepted] = moved[better]

@@ -115,16 +115,7 @@ def evaluate(model: Parametrised, wi: ArrayLike, wo: ArrayLike, out: Array | Non
     if job.count and job.apart and _worth_apart(job):
         _evaluate_apart(job, target)
     elif job.count:
-        kernel = _kernel("evaluation", job)
-        constants = kernel.constants(job.uniform)
-        varying = job.rows(kernel.varying)
-        others = (address(constants), address(varying), job.count, *place(target))
-
-        def work(chunk: int, room: int) -> None:
-            for wi, wo, first, last in job.pieces(chunk):
-                kernel.driver(*wi, *wo, *others, room, first, last)
-
-        job.run(work)
+        _run("evaluation", job, *place(target))
     if out is None:
         return target.reshape(shape) if len(job.shape) != 1 else target
     if not np.may_share_memory(out, target):
@@ -137,15 +128,7 @@ def density(model: Parametrised, wi: ArrayLike, wo: ArrayLike) -> Array:
     job = Job(model, wi, wo)
     found = empty((job.count,), job.scalar)
     if job.count:
-        kernel = _kernel("density", job)
-        constants, varying = kernel.constants(job.uniform), job.rows(kernel.varying)
-        others = (address(constants), address(varying), job.count, address(found), 1, job.count)
-
-        def work(chunk: int, room: int) -> None:
-            for wi, wo, first, last in job.pieces(chunk):
-                kernel.driver(*wi, *wo, *others, room, first, last)
-
-        job.run(work)
+        _run("density", job, address(found), 1, job.count)
     return found.reshape(job.shape)
 
 
@@ -164,15 +147,7 @@ def sample(model: Parametrised, wi: ArrayLike, u: ArrayLike) -> tuple[Array, Arr
     job = Job(model, wi, u, second=("u", 2), more=4)
     wo, chances, weights = job.room(3), empty((job.count,), job.scalar), job.room(job.channels)
     if job.count:
-        kernel = _kernel("sampling", job)
-        constants, varying = kernel.constants(job.uniform), job.rows(kernel.varying)
-        others = (address(constants), address(varying), job.count, *place(wo), address(chances), *place(weights))
-
-        def work(chunk: int, room: int) -> None:
-            for wi, u, first, last in job.pieces(chunk):
-                kernel.driver(*wi, *u, *others, room, first, last)
-
-        job.run(work)
+        _run("sampling", job, *place(wo), address(chances), *place(weights))
     return wo.reshape((*job.shape, 3)), chances.reshape(job.shape), weights.reshape((*job.shape, job.channels))
 
 
@@ -181,6 +156,19 @@ def call(kind: Kind, model: Parametrised, a: Array, b: Array) -> list[Array]:
     if kind is Kind.SAMPLE:
         return list(sample(model, a, b))
     return [density(model, a, b) if kind is Kind.DENSITY else evaluate(model, a, b)]
+
+
+def _run(kind: str, job: Job, *targets: int) -> None:
+    """Compute all of a call, into `targets`: places, as the driver of that kind takes them."""
+    kernel = _kernel(kind, job)
+    constants, varying = kernel.constants(job.uniform), job.rows(kernel.varying)
+    others = (address(constants), address(varying), job.count, *targets)
+
+    def work(chunk: int, room: int) -> None:
+        for a, b, first, last in job.pieces(chunk):
+            kernel.driver(*a, *b, *others, room, first, last)
+
+    job.run(work)
 
 
 def _evaluate_apart(job: Job, target: Array) -> None:

@@ -13,24 +13,14 @@ from dataclasses import dataclass, replace
 from motes.graph import nan, tracing
 from motes.graph.tracing import DIRECTIONS, PARAMETERS, Symbol, Trace, TracedParameter
 from motes.printing import elementary
-from motes.printing.printer import ARITHMETIC, Target, statements
+from motes.printing.printer import ARITHMETIC, CALLED, Target, statements
 
 # Operations on varying parameters alone from which on they are computed once for a row of directions, not at each.
 LEAST_APART = 200
 _VARYING = 4  # a bit beside those of a model's leaves
 TILE = 1024  # directions; their components and results fit the level-1 cache together with what is spilled
 
-_TEMPLATES = ARITHMETIC | {
-    "sqrt": "sqrt({0})",
-    "exp": "exp({0})",
-    "expm1": "expm1({0})",
-    "log1p": "log1p({0})",
-    "asin": "asin({0})",
-    "sin": "sin({0})",
-    "cos": "cos({0})",
-    "log": "log({0})",
-    "where": "select({0}, {1}, {2})",
-}
+_TEMPLATES = ARITHMETIC | CALLED | {"where": "select({0}, {1}, {2})"}
 ELEMENTARY = ("exp", "expm1", "log", "log1p", "asin", "asin_near", "sin", "cos")
 # Minima and maxima: one instruction, which keeps a NaN of `a` and drops one of `b`; and one that keeps either (see `motes.graph.nan`).
 _EXTREMA = {

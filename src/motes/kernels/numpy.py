@@ -18,21 +18,15 @@ from numpy.typing import NDArray
 from motes.graph import tracing
 from motes.graph.tracing import Symbol
 from motes.parameters import Parametrised
-from motes.printing.printer import ARITHMETIC, Target, statements
+from motes.printing.printer import ARITHMETIC, CALLED, Target, statements
 
 Columns = tuple[NDArray[np.float64], ...]
 
 NUMPY = Target(
     templates=ARITHMETIC
+    | CALLED
     | {
-        "sqrt": "sqrt({0})",
-        "exp": "exp({0})",
-        "expm1": "expm1({0})",
-        "log1p": "log1p({0})",
         "asin": "arcsin({0})",
-        "sin": "sin({0})",
-        "cos": "cos({0})",
-        "log": "log({0})",
         "minimum": "minimum({0}, {1})",
         "maximum": "maximum({0}, {1})",
         "where": "where({0}, {1}, {2})",

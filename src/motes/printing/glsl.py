@@ -4,13 +4,6 @@ from __future__ import annotations
 
 from motes.printing.language import Language
 
-_TEMPLATES = {
-    "sqrt": "sqrt({0})",
-    "log1p": "log(1.0 + {0})",
-    "minimum": "min({0}, {1})",
-    "maximum": "max({0}, {1})",
-    "where": "({0} ? {1} : {2})",
-}
 _WORDS = (
     "active asm atomic_uint attribute buffer cast centroid class coherent common discard dvec2 dvec3 dvec4 external filter fixed flat fvec2 "
     "fvec3 fvec4 goto highp hvec2 hvec3 hvec4 image1D image2D image3D in inline inout input interface invariant iimage2D lowp mat2 mat3 mat4 "
@@ -29,7 +22,6 @@ def language(version: str) -> Language:
         color="vec3",
         direction="vec3",
         truth="bool",
-        templates=_TEMPLATES,
         constant="const float {name} = {value};",
         splat="vec3({0})",
         power="intBitsToFloat((int({k}) + 126) << 23)",

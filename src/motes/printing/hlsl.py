@@ -18,13 +18,6 @@ LANGUAGE = Language(
     color="float3",
     direction="float3",
     truth="bool",
-    templates={
-        "sqrt": "sqrt({0})",
-        "log1p": "log(1.0 + {0})",
-        "minimum": "min({0}, {1})",
-        "maximum": "max({0}, {1})",
-        "where": "({0} ? {1} : {2})",
-    },
     constant="const float {name} = {value};",
     splat="(float3)({0})",
     power="asfloat((int({k}) + 126) << 23)",

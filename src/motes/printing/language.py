@@ -6,12 +6,20 @@ import math
 import re
 import textwrap
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from motes import directions, equations
 from motes.graph.tracing import Symbol
 
 OWN = ("asin", "exp", "expm1")
+#: How most languages write what is not arithmetic.
+TEMPLATES = {
+    "sqrt": "sqrt({0})",
+    "log1p": "log(1.0 + {0})",
+    "minimum": "min({0}, {1})",
+    "maximum": "max({0}, {1})",
+    "where": "({0} ? {1} : {2})",
+}
 WIDTH = 118
 #: `Language.power` where the bits of numbers cannot be written: exp2 of a whole number is exact.
 POWER_WITHOUT_BITS = "({k} < -125.0 ? 0.0 : exp2({k} - 1.0))"
@@ -72,9 +80,9 @@ class Language:
     color: str
     direction: str
     truth: str
-    templates: Mapping[str, str]
     constant: str
     splat: str
+    templates: Mapping[str, str] = field(default_factory=TEMPLATES.copy)
     components: tuple[str, str, str] = ("{0}.x", "{0}.y", "{0}.z")
     power: str = ""
     declaration: str = "{type} {name} = {value};"

@@ -17,13 +17,6 @@ LANGUAGE = Language(
     color="color",
     direction="vector",
     truth="int",
-    templates={
-        "sqrt": "sqrt({0})",
-        "log1p": "log(1.0 + {0})",
-        "minimum": "min({0}, {1})",
-        "maximum": "max({0}, {1})",
-        "where": "({0} ? {1} : {2})",
-    },
     constant="float {name} = {value};",
     splat="color({0})",
     components=("{0}[0]", "{0}[1]", "{0}[2]"),

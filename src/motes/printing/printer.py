@@ -21,7 +21,9 @@ ARITHMETIC = {
     "gt": "({0} > {1})",
     "ge": "({0} >= {1})",
 }
-# The same without brackets, for targets with `levels`.
+#: Functions that languages of numbers call by the operation's name.
+CALLED = {op: f"{op}({{0}})" for op in ("sqrt", "exp", "expm1", "log1p", "asin", "sin", "cos", "log")}
+# Arithmetic without brackets, for targets with `levels`.
 INFIX = {op: template[1:-1] for op, template in ARITHMETIC.items()}
 LEVELS = {"lt": 1, "le": 1, "gt": 1, "ge": 1, "neg": 2, "add": 2, "sub": 2, "mul": 3, "div": 3}
 _TIGHT = 9

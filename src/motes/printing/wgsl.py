@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motes.printing.language import Language
+from motes.printing.language import TEMPLATES, Language
 
 _WORDS = """alias array atomic bitcast const_assert diagnostic discard enable f16 f32 fn i32 let loop mat2x2 mat3x3 mat4x4 override ptr requires u32 var
 vec2 vec3 vec4 abs acos all any asin atan ceil clamp cos cross degrees determinant distance dot exp exp2 floor fma fract inverseSqrt ldexp
@@ -17,13 +17,7 @@ LANGUAGE = Language(
     color="vec3<f32>",
     direction="vec3<f32>",
     truth="bool",
-    templates={
-        "sqrt": "sqrt({0})",
-        "log1p": "log(1.0 + {0})",
-        "minimum": "min({0}, {1})",
-        "maximum": "max({0}, {1})",
-        "where": "select({2}, {1}, {0})",
-    },
+    templates=TEMPLATES | {"where": "select({2}, {1}, {0})"},
     constant="const {name}: f32 = {value};",
     splat="vec3<f32>({0})",
     power="bitcast<f32>((i32({k}) + 126) << 23u)",

@@ -53,7 +53,8 @@ def _polished(
 ) -> tuple[Formula, Formula]:
     """A last step by the gradient at the solution, which is summed from residuals and so sure to more digits than moments are; and whether that
     gradient says that the fit ended elsewhere."""
-    moved = levenberg.polished(algebra, x, objective, ending, gradient, inverse, among, columns.low, columns.high)
+    box = levenberg.Box(columns.low, columns.high)
+    moved = levenberg.polished(algebra, x, objective, ending, gradient, inverse, among, box)
     return moved, levenberg.adrift(algebra, squares / whole, brightness, ending, gradient, inverse, among)
 
 

@@ -27,26 +27,26 @@ def step_functions(size: int, form: str) -> list[str]:
     objective, terms = algebra.number("objective"), algebra.number("terms")
     normal = [objective[0], terms[0], *gradient, *triangle_of(matrix)]
     scalars = [algebra.number(name) for name in SCALARS]
-    damping, growth, idle, running, iterations, ending, brightness = scalars
+    damping, (running, iterations, ending, brightness) = levenberg.Damping(*scalars[:3]), scalars[3:]
     low, high, fixed = (algebra.vector(name, size) for name in ("low", "high", "fixed"))
+    bounds = levenberg.Box(low, high)
     reduction, rounding = algebra.number("reduction"), algebra.number("rounding")
-    noise = rounding * terms + LEAST_NOISE[form] * brightness
+    precision = levenberg.Precision(reduction, rounding * terms + LEAST_NOISE[form] * brightness)
+    at = levenberg.At(x, objective, gradient, matrix)
     state = Rows("state", "D").put([*x, *normal, *(s[0] for s in scalars)])
     own = Rows("own", "D").put(fixed)
     box = Uniform("box", (*low, *high, *reduction, *rounding))
     given, stopped = algebra.vector("given", size), algebra.vector("stopped", size)
     stops = Rows("stops", "D").put([*stopped, *given])
 
-    stuck = levenberg.held(algebra, x, gradient, matrix, low, high, fixed, brightness)
+    stuck = levenberg.held(algebra, at, bounds, fixed, brightness)
     held = lane_function(
         "held", [state, box, own], [Target("stops", "D", [*algebra.lifted(stuck), *algebra.lifted(np.zeros(size))])]
     )
-    step = levenberg.bounded_step(algebra, x, gradient, matrix, damping, low, high, stopped, given)
+    step = levenberg.bounded_step(algebra, at, damping.size, bounds, stopped, given)
     results = [*algebra.lifted(step.stopped), *algebra.lifted(step.step), *algebra.lifted(step.leaving)]
     bounded_step = lane_function("bounded_step", [state, box, stops], [Target("next_stops", "D", results)])
-    proposed = levenberg.proposal(
-        algebra, x, objective, gradient, matrix, damping, idle, given, low, high, reduction, noise
-    )
+    proposed = levenberg.proposal(algebra, at, damping, given, bounds, precision)
     zero = np.zeros(1)
     moved = algebra.where(algebra.less(zero, running), proposed.moved, x)
     results = [*moved, *algebra.lifted(proposed.promised), *algebra.lifted(proposed.ending)]
@@ -60,20 +60,18 @@ def step_functions(size: int, form: str) -> list[str]:
     last = algebra.where(algebra.less(zero, ends), reason, ending)
     stays = [
         *algebra.where(algebra.less(zero, ends), points, x), *normal,
-        *damping, *growth, *idle, *goes_on, *iterations, *last, *brightness,
+        *(item for part in damping for item in part), *goes_on, *iterations, *last, *brightness,
     ]  # fmt: skip
     ended = lane_function("ended", [state, trial], [Target("next_state", "D", stays)])
     new = [graph.leaf(f"new[{k}]") for k in range(len(normal))]
-    verdict = levenberg.judged(
-        algebra, objective, np.array(new[:1], object), promised, damping, growth, idle, reduction, noise
-    )
+    verdict = levenberg.judged(algebra, objective, np.array(new[:1], object), promised, damping, precision)
     taken = verdict.better * goes_on
     updated = [
         *algebra.where(algebra.less(zero, taken + ends), points, x),
         *algebra.where(algebra.less(zero, taken), np.array(new, object), np.array(normal, object)),
         *(
             algebra.where(algebra.less(zero, goes_on), after, before)[0]
-            for after, before in ((verdict.damping, damping), (verdict.growth, growth), (verdict.idle, idle))
+            for after, before in zip(verdict.damping, damping, strict=True)
         ),
         *goes_on,
         *(iterations + goes_on),
