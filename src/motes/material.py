@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -14,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from motes.channels import default_names, spectral_names
 from motes.errors import FormatError, MotesError, ParameterError
-from motes.files import structured, write_text
+from motes.files import structured, write_json
 from motes.models import BRDF, describe, parse
 from motes.parameters import Parameter
 from motes.trends import AnyTrend, Tabulated, trend_from_dict
@@ -175,7 +174,7 @@ class Material:
 
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Write the material as JSON, whole or not at all."""
-        return write_text(path, json.dumps(self.to_dict(), indent=1, allow_nan=False) + "\n")
+        return write_json(path, self.to_dict())
 
 
 def _width(trend: AnyTrend) -> int | None:

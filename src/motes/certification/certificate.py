@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, final
 
 from motes import outlets
-from motes.files import write_text
+from motes.files import write_json
 
 VERSION = 1
 
@@ -172,7 +172,7 @@ class Certificate:
 
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Write the certificate as JSON, whole or not at all."""
-        return write_text(path, json.dumps(self.to_dict(), indent=1, allow_nan=False) + "\n")
+        return write_json(path, self.to_dict())
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Write the certificate as one self-contained HTML page; see `motes.report.certificate_page`."""

@@ -2,6 +2,6 @@
 
 from motes.files.inert import write_csv
 from motes.files.together import settle, together
-from motes.files.writing import check_writable, replacing, write_text
+from motes.files.writing import check_writable, replacing, write_json, write_text
 
-__all__ = ["check_writable", "replacing", "settle", "together", "write_csv", "write_text"]
+__all__ = ["check_writable", "replacing", "settle", "together", "write_csv", "write_json", "write_text"]

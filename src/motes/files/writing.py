@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import secrets
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import Any
 
 from motes.errors import MotesError
 from motes.files import leftovers
@@ -82,3 +84,8 @@ def write_text(path: str | os.PathLike[str], text: str) -> Path:
     with replacing(path) as temporary:
         temporary.write_text(text, encoding="utf-8")
     return Path(path)
+
+
+def write_json(path: str | os.PathLike[str], plain: Any) -> Path:
+    """Write plain JSON values, NaN not among them, whole or not at all."""
+    return write_text(path, json.dumps(plain, indent=1, allow_nan=False) + "\n")

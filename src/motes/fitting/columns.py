@@ -75,3 +75,8 @@ def columns_of(
     held = np.zeros(len(low)) if fixed is None else fixed
     rows = (low, high, span, least, most, signed, square, rest, held)
     return Columns(*(np.asarray(row, float)[:, None] for row in rows))
+
+
+def in_own_units(x: Floats, columns: Columns) -> Floats:
+    """Parameters (..., P) in their own units, from the coordinates of the fit."""
+    return np.where(columns.squared[:, 0] > 0, np.sqrt(np.maximum(x, 0.0)), x)

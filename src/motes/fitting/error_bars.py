@@ -10,7 +10,7 @@ from typing import Any, final
 import numpy as np
 
 from motes.errors import DataError
-from motes.fitting.columns import Columns
+from motes.fitting.columns import Columns, in_own_units
 from motes.fitting.direction_blocks import LEAST_DIRECTIONS, Labels, blocks_of
 from motes.fitting.losses import Floats
 from motes.fitting.objective import Objective
@@ -135,11 +135,6 @@ def together(misses: Floats, labels: Labels) -> bool:
             if excess > BEYOND * math.sqrt(2 * max(0.0, float(np.sum(squares**2) - np.sum(fourths)))) + 1e-12:
                 return True
     return False
-
-
-def in_own_units(x: Floats, columns: Columns) -> Floats:
-    """Parameters (..., P) in their own units, from the coordinates of the fit."""
-    return np.where(columns.squared[:, 0] > 0, np.sqrt(np.maximum(x, 0.0)), x)
 
 
 def intervals(x: Floats, steps: Floats, freedom: Floats, columns: Columns) -> dict[str, Floats]:

@@ -8,7 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from motes.fitting.bootstrap import drawn
-from motes.fitting.error_bars import LEVELS, ErrorBars, chosen, in_own_units, intervals
+from motes.fitting.columns import in_own_units
+from motes.fitting.error_bars import LEVELS, ErrorBars, chosen, intervals
 from motes.fitting.losses import Floats
 from motes.fitting.objective import Objective
 from motes.fitting.profile import profiled

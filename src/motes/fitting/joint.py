@@ -21,6 +21,7 @@ from motes.fitting.losses import Floats
 from motes.fitting.objective import Objective
 from motes.fitting.problem import Problem
 from motes.fitting.quantities import Quantity
+from motes.fitting.scans import single
 from motes.fitting.solver import Normal
 from motes.parameters import Parameter
 from motes.trends import KINDS, Trend, evaluate
@@ -206,7 +207,7 @@ class Joint(Objective):
             x, jacobian = self.vectors(c)
             scan = self.problem.normal(x, self.scans)
             gradient = np.einsum("tpk,tp->k", jacobian, scan.gradient)
-            results.append((scan.objective.sum(), gradient, _chained(jacobian, scan.matrix)))
+            results.append((scan.objective.sum(), gradient, chained(jacobian, scan.matrix)))
         return Normal(*(np.array(part) for part in zip(*results, strict=True)))
 
     @property
@@ -219,9 +220,7 @@ class Joint(Objective):
 
     def misses(self, c: Floats) -> Floats:
         """See `Objective.misses`."""
-        scans = [
-            replace(self.problem, values=self.problem.values[t], weights=self.problem.weights[t]) for t in self.scans
-        ]
+        scans = [single(self.problem, t) for t in self.scans]
         return np.concatenate([scan.misses(x) for scan, x in zip(scans, self.vectors(c)[0], strict=True)])
 
     def at_directions(self, rows: NDArray[np.intp]) -> Joint:
@@ -240,7 +239,7 @@ class Joint(Objective):
         """The expected second derivative (K, K) of the objective; see `Problem.curvature`."""
         x, jacobian = self.vectors(c)
         scans = [self.problem.curvature(x[k], np.array([t])) for k, t in enumerate(self.scans)]
-        return _chained(jacobian, np.stack(scans))
+        return chained(jacobian, np.stack(scans))
 
     @property
     def common(self) -> float:  # type: ignore[override]  # a field there
@@ -259,7 +258,7 @@ class Joint(Objective):
         for k, t in enumerate(self.scans):
             own = jacobian[k] @ inverse @ jacobian[k].T
             middles.append(self.problem.spread(x[k], own, np.array([t])))
-        return _chained(jacobian, np.stack(middles))
+        return chained(jacobian, np.stack(middles))
 
 
 def columns_for(parts: Sequence[Part]) -> Columns:
@@ -275,6 +274,6 @@ def groups_for(parts: Sequence[Part]) -> list[slice]:
     return [slice(stop - p.size, stop) for stop, p in zip(stops, parts, strict=True) if p.kind == "constant"]
 
 
-def _chained(jacobian: Floats, matrices: Floats) -> Floats:
+def chained(jacobian: Floats, matrices: Floats) -> Floats:
     """The sum over scans of J' H J: from the scans' parameters (T, P, P) to the coefficients (K, K)."""
     return np.asarray(np.einsum("tpk,tpq,tql->kl", jacobian, matrices, jacobian, optimize=True))

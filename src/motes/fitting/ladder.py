@@ -14,7 +14,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from motes.errors import DataError
 from motes.fitting.choice import NOISE_FLOOR, bic
 from motes.fitting.chord import Chord
 from motes.fitting.direction_blocks import Labels
@@ -23,11 +22,12 @@ from motes.fitting.metrics import deviation, relative_rms
 from motes.fitting.problem import Problem
 from motes.fitting.quantities import Quantity
 from motes.fitting.result import Trial
+from motes.fitting.setup import check_enough
 from motes.fitting.solver import minimize
 from motes.fitting.starts import starting_points
 from motes.fitting.uncertainty import at_rest
 from motes.fitting.verdicts import Status
-from motes.models import BRDF, describe
+from motes.models import BRDF
 from motes.models.composition import layer_of
 
 #: In how many turns the blocks of directions are left out.
@@ -117,11 +117,7 @@ def rung_of(
     """
     folds = _folds(problem, blocks)
     fewest = min([problem.samples, *(int(np.count_nonzero(weights)) for weights in folds)])
-    if fewest <= problem.size:
-        raise DataError(
-            f"{fewest} usable sample(s) cannot determine the {problem.size} parameters of {describe(brdf)}",
-            "Measure more directions, or fit a smaller model",
-        )
+    check_enough(fewest, problem.size, brdf)
     x, objective, status = _fitted(problem, _lanes(problem, below, layer_of(brdf) is not None))
     return Rung(text, brdf, problem, x, objective, status, _left_out(problem, x, blocks, folds), per_channel)
 

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import json
 import math
 import os
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -18,8 +16,8 @@ from motes import outlets
 from motes.drawing.colour import channels_to_srgb
 from motes.drawing.colour_difference import delta_e_itp
 from motes.drawing.sphere import LIGHTS
-from motes.errors import DataError, MotesError
-from motes.files import write_text
+from motes.errors import DataError
+from motes.files import write_json
 from motes.fitting.climbing import climb
 from motes.fitting.direction_blocks import coordinates
 from motes.fitting.formatting import finite
@@ -28,6 +26,7 @@ from motes.fitting.judgement import Contender, judged
 from motes.fitting.losses import Floats
 from motes.fitting.result import Fit, Progress
 from motes.fitting.setup import Wishes
+from motes.fitting.shown import data_frame
 from motes.measurements import Measurement
 from motes.models import parse
 
@@ -113,28 +112,15 @@ class Comparison:
 
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Write `to_dict` as a JSON file; returns its path."""
-        return write_text(path, json.dumps(self.to_dict(), indent=1, allow_nan=False) + "\n")
+        return write_json(path, self.to_dict())
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Write a page with the table and the residuals of all models side by side; returns its path."""
         return outlets.report("comparison", self, path)
 
     def to_dataframe(self) -> Any:
-        """`records` as a table of pandas.
-
-        Raises
-        ------
-        MotesError
-            Without pandas.
-        """
-        try:
-            pandas = import_module("pandas")
-        except ImportError as error:
-            raise MotesError(
-                "a data frame needs the package pandas, which is not installed",
-                "pip install pandas; records() needs nothing",
-            ) from error
-        return pandas.DataFrame.from_records(self.records())
+        """`records` as a data frame of pandas; see `motes.fitting.shown.data_frame`."""
+        return data_frame(self.records())
 
 
 def compare(

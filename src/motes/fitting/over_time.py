@@ -25,7 +25,7 @@ from motes.fitting.outliers import joint_fit
 from motes.fitting.plausibility import implausible_fit
 from motes.fitting.result import Progress, Trial
 from motes.fitting.scans import ScanFits, fit_scans, single
-from motes.fitting.setup import Setup, Wishes, prepare
+from motes.fitting.setup import Setup, Wishes, check_enough, prepare
 from motes.fitting.solver import Solution
 from motes.fitting.time_findings import findings
 from motes.fitting.time_result import Alternative, ScanOutlier, TimeFit, TrendFit
@@ -88,11 +88,7 @@ def fit_over_time(
                 "Choose a kind with fewer coefficients",
             )
     least = int(min(np.count_nonzero(problem.weights[t]) for t in usable))
-    if least <= problem.size:
-        raise DataError(
-            f"a scan with {least} usable sample(s) cannot determine the {problem.size} parameters of {describe(setup.brdf)}",
-            "Measure more directions, or fit a smaller model",
-        )
+    check_enough(least, problem.size, setup.brdf, "a scan with ")
     hours = np.asarray(data.times, float)
     say(10, 100, f"fitting {len(usable)} scans")
     fits = fit_scans(problem, usable)
@@ -170,12 +166,7 @@ def _result(
     first = {name: (t.trend(hours[0]) if t.trend.channels else float(t.trend(hours[0]))) for name, t in results.items()}
     at_start = brdf.with_parameters(first)
     wavelengths = () if data.wavelengths is None else tuple(float(w) for w in data.wavelengths)
-    about = {
-        "data": {k: v for k, v in data.provenance.items() if isinstance(v, (str, int, float, bool))},
-        "loss": wishes.loss,
-        "robust": wishes.robust,
-        "status": str(solution.status[0]),
-    }
+    about = wishes.about(data) | {"status": str(solution.status[0])}
     material = Material(
         at_start, data.name, data.channels, wavelengths, {name: t.trend for name, t in results.items()}, about
     )

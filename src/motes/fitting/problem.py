@@ -214,8 +214,8 @@ class Problem(Objective):
         ``inverse`` is the inverse of `curvature`, h = J inverse J' the leverage of a sample, psi its (robust) weighted
         residual: MacKinnon and White's HC3 (1985).  It needs no assumption that the noise is the same everywhere, or
         goes with the weights."""
-        results = self._mapped(lambda rows: (self._spread_part(x[None], inverse, rows, sets),), 1)
-        return np.asarray(np.sum([part for (part,) in results], axis=0))
+        parts = self._mapped(lambda rows: self._spread_part(x[None], inverse, rows, sets), 1)
+        return np.asarray(np.sum(parts, axis=0))
 
     def curvature(self, x: Floats, sets: NDArray[np.intp] | None = None) -> Floats:
         """The expected second derivative (P, P) of the objective at one parameter vector, for standard errors.
@@ -230,12 +230,12 @@ class Problem(Objective):
         slopes = self.loss.slope(values, self._cosines)
         moved = np.where(self._roots > 0, self._roots * slopes * values * self.common, 0.0)
 
-        def part(rows: slice) -> tuple[Floats]:
+        def part(rows: slice) -> Floats:
             _, jacobian = self.linearised(x[None], rows, sets)
             push = self._data(moved, rows, sets)
-            return (self.vector(np.einsum("bcnk,bcn->bck", jacobian, push.reshape(1, *push.shape[-2:])))[0],)
+            return np.asarray(self.vector(np.einsum("bcnk,bcn->bck", jacobian, push.reshape(1, *push.shape[-2:])))[0])
 
-        return np.asarray(np.sum([p for (p,) in self._mapped(part, 1)], axis=0))
+        return np.asarray(np.sum(self._mapped(part, 1), axis=0))
 
     def refitted(
         self, x: Floats, points: Floats, held: NDArray[np.bool_], *, max_iterations: int, reduction: float

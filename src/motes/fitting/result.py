@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import os
 from abc import ABC, abstractmethod
@@ -16,12 +15,11 @@ from numpy.typing import NDArray
 
 from motes import outlets
 from motes.arrays import Array
-from motes.errors import MissingExtraError
-from motes.files import together, write_csv, write_text
+from motes.files import together, write_csv, write_json
 from motes.fitting.error_bars import ErrorBars
 from motes.fitting.formatting import MOST_CORRELATED, correlations_as_json, finite, with_error
 from motes.fitting.origin_of_fit import Origin
-from motes.fitting.shown import notebook
+from motes.fitting.shown import data_frame, notebook
 from motes.fitting.verdicts import Status, Verdict
 from motes.material import Material
 from motes.measurements import Measurement
@@ -185,18 +183,8 @@ class Result(ABC):
         """The parameters as rows of numbers, NaN where there is none."""
 
     def to_dataframe(self) -> Any:
-        """`records` as a data frame of pandas, which the extra xarray brings.
-
-        Raises
-        ------
-        MissingExtraError
-            Where pandas is not installed.
-        """
-        try:
-            import pandas
-        except ImportError:
-            raise MissingExtraError("pandas", "xarray", "A data frame of parameters") from None
-        return pandas.DataFrame.from_records(self.records())
+        """`records` as a data frame of pandas; see `motes.fitting.shown.data_frame`."""
+        return data_frame(self.records())
 
     def made_by(self, command: str) -> Self:
         """The same result, which says the command line that made it."""
@@ -225,7 +213,7 @@ class Result(ABC):
         """Write ``material.json``, ``fit.json`` and ``parameters.csv`` into `folder`, all of them or none; returns it."""
         with together(Path(folder)) as staging:
             self.material.save(staging / "material.json")
-            write_text(staging / "fit.json", json.dumps(self.to_dict(), indent=1, allow_nan=False) + "\n")
+            write_json(staging / "fit.json", self.to_dict())
             write_csv(staging / "parameters.csv", self.csv_rows())
         return Path(folder)
 
@@ -293,9 +281,8 @@ class Fit(Result):
     def table(self) -> list[dict[str, str]]:
         """The parameters as rows of text: name, channel, value, stderr, unit, verdict; digits follow the error."""
         rows = []
-        for p, k, value, stderr, verdict in self._cells():
+        for p, _, channel, value, stderr, verdict in self._cells():
             text, error = with_error(value, stderr)
-            channel = self.material.channels[k] if np.size(p.value) > 1 else ""
             rows.append(
                 {
                     "name": p.name,
@@ -312,12 +299,12 @@ class Fit(Result):
     def records(self) -> list[dict[str, Any]]:
         """A row for each parameter and channel: ``parameter``, ``channel``, ``value``, ``stderr``, the ends of the intervals, ``unit``, ``verdict``."""
         rows = []
-        for p, k, value, stderr, verdict in self._cells():
+        for p, k, channel, value, stderr, verdict in self._cells():
             ends = {level: np.atleast_2d(both)[k] for level, both in p.intervals.items()}
             rows.append(
                 {
                     "parameter": p.name,
-                    "channel": self.material.channels[k] if np.size(p.value) > 1 else "",
+                    "channel": channel,
                     "value": value,
                     "stderr": stderr,
                     **{f"{side}_{n}": float(e[i]) for n, e in ends.items() for i, side in enumerate(("low", "high"))},
@@ -329,13 +316,13 @@ class Fit(Result):
 
     def csv_rows(self) -> Iterator[list[str]]:
         yield ["parameter", "channel", "value", "stderr", "unit", "verdict", "source"]
-        for p, k, value, stderr, verdict in self._cells():
-            channel = self.material.channels[k] if np.size(p.value) > 1 else ""
+        for p, _, channel, value, stderr, verdict in self._cells():
             yield [p.name, channel, repr(value), repr(stderr), p.unit, str(verdict), self.source]
 
-    def _cells(self) -> Iterator[tuple[FittedParameter, int, float, float, Verdict]]:
-        """Each parameter for each channel: its position, value, error and verdict."""
+    def _cells(self) -> Iterator[tuple[FittedParameter, int, str, float, float, Verdict]]:
+        """Each parameter for each channel: its position and name (empty where all share the parameter), value, error and verdict."""
         for p in self.parameters.values():
             values, errors = np.atleast_1d(p.value), np.atleast_1d(p.stderr)
             for k, (value, stderr, verdict) in enumerate(zip(values, errors, p.verdicts, strict=True)):
-                yield p, k, float(value), float(stderr), verdict
+                channel = self.material.channels[k] if np.size(p.value) > 1 else ""
+                yield p, k, channel, float(value), float(stderr), verdict

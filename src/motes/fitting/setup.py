@@ -31,6 +31,11 @@ class Wishes:
     free_scale: bool = False
     errors: str = "auto"
 
+    def about(self, data: Measurement) -> dict[str, Any]:
+        """What a material says of the fit that made it."""
+        told = {name: value for name, value in data.provenance.items() if isinstance(value, (str, int, float, bool))}
+        return {"data": told, "loss": self.loss, "robust": self.robust}
+
 
 class Fitted(NamedTuple):
     """A model, what is fitted of it, and what is held."""
@@ -76,6 +81,21 @@ def fitted_of(
             f"every parameter of {describe(brdf)} is held, so there is nothing to fit", "Hold fewer parameters"
         )
     return Fitted(brdf, quantities, held)
+
+
+def check_enough(samples: int, parameters: int, model: BRDF, where: str = "") -> None:
+    """That so many samples, `where` they are, can determine so many parameters of a model.
+
+    Raises
+    ------
+    DataError
+        When they are too few.
+    """
+    if samples <= parameters:
+        raise DataError(
+            f"{where}{samples} usable sample(s) cannot determine the {parameters} parameters of {describe(model)}",
+            "Measure more directions, or fit a smaller model",
+        )
 
 
 def prepare(data: Measurement, model: str | BRDF, wishes: Wishes, lenient: bool = False) -> Setup:

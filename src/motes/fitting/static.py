@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 
 from motes.directions import above
-from motes.errors import DataError
 from motes.fitting.advice import about_choice
 from motes.fitting.choice import CANDIDATES, bic, is_auto
 from motes.fitting.climbing import climb, even_rows
@@ -23,7 +22,7 @@ from motes.fitting.plausibility import implausible_fit
 from motes.fitting.problem import Problem, even_channels
 from motes.fitting.result import Fit, FittedParameter, Progress, Trial
 from motes.fitting.scaled import NAME, Scaled, in_units
-from motes.fitting.setup import Wishes, prepare
+from motes.fitting.setup import Wishes, check_enough, prepare
 from motes.fitting.solver import Solution
 from motes.fitting.starts import starting_points
 from motes.fitting.uncertainty import at_rest
@@ -94,12 +93,7 @@ class _Attempt:
     ) -> None:
         self.data, self.wishes = data, wishes
         self.brdf, start, self.problem, self.factor = prepare(data, model, wishes, lenient)
-        if self.problem.samples <= self.problem.size:
-            raise DataError(
-                f"{self.problem.samples} usable sample(s) cannot determine the {self.problem.size} parameters "
-                f"of {describe(self.brdf)}",
-                "Measure more directions, or fit a smaller model",
-            )
+        check_enough(self.problem.samples, self.problem.size, self.brdf)
         if near is not None and len(near) != self.problem.size:
             near = None  # of other channels
         self.solution = self._solve(self._vector(start) if start else None, near)
@@ -224,10 +218,7 @@ class _Attempt:
             parameters[NAME], covariance, data = in_units(parameters[NAME], covariance, data)
             brdf, predicted = found.base, predicted / float(found.scale)
         metrics = self.metrics(data, predicted)
-        about = {
-            "data": {k: v for k, v in data.provenance.items() if isinstance(v, (str, int, float, bool))},
-            "loss": self.wishes.loss,
-            "robust": self.wishes.robust,
+        about = self.wishes.about(data) | {
             "relative_rms": metrics["relative_rms"],
             "status": str(self.status),
             "stderr": {

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from motes.directions import above
 from motes.errors import DataError, MotesError
 from motes.fitting import joint
-from motes.fitting.columns import Columns
+from motes.fitting.columns import Columns, in_own_units
 from motes.fitting.joint import Part
 from motes.fitting.losses import Floats, loss_named, robust_named
 from motes.fitting.quantities import Quantity, columns_for
@@ -106,7 +106,7 @@ class TexelSetup:
 
     def values(self, points: Floats) -> Floats:
         """The reverse of `coordinates`."""
-        return np.where(self.facts.squared[:, 0] > 0, np.sqrt(np.maximum(points, 0)), points)
+        return in_own_units(points, self.facts)
 
 
 def _columns(quantities: tuple[Quantity, ...], parts: tuple[Part, ...]) -> tuple[Column, ...]:

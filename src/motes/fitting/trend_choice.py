@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from motes.fitting.joint import Joint, Part
+from motes.fitting.joint import Joint, Part, chained
 from motes.fitting.losses import Floats
 from motes.fitting.problem import Problem
 from motes.fitting.scans import ScanFits
@@ -76,7 +76,7 @@ class Profile:
             rows = slice(t * width, (t + 1) * width)
             matrix[rows, rows] = scan.matrix[t][own, own]
             cross[rows] = scan.matrix[t][own] @ jacobian[t][:, rest]
-        others = np.einsum("tpk,tpq,tql->kl", jacobian[:, :, rest], scan.matrix, jacobian[:, :, rest], optimize=True)
+        others = chained(jacobian[:, :, rest], scan.matrix)
         slope = np.einsum("tpk,tp->k", jacobian[:, :, rest], scan.gradient)
         low, high = joint.bounds
         pull = np.einsum("tpk,tp->k", jacobian, scan.gradient)
@@ -118,7 +118,7 @@ class Profile:
         smooth = np.stack(KINDS["cubic"].basis(hours, *self.part.interval), axis=1)  # (T, 4)
         directions = np.kron(smooth, np.eye(self.part.width))
         picked = np.einsum("vtp,vk->tpk", self._pick, directions)
-        middle = np.einsum("tpk,tpq,tql->kl", picked, middles, picked, optimize=True)
+        middle = chained(picked, middles)
         inverse = np.linalg.pinv(directions.T @ self.matrix @ directions, rcond=1e-9, hermitian=True)
         rank = int(np.linalg.matrix_rank(inverse, hermitian=True))
         return max(float(np.trace(inverse @ middle)) / (max(rank, 1) * noise), 1.0)
@@ -210,7 +210,7 @@ def first_guess(
             x, jacobian = joint.vectors(c)
             away = x - fits.x
             push = np.einsum("tpq,tq->tp", fits.normal.matrix, away)
-            matrix = np.einsum("tpk,tpq,tql->kl", jacobian, fits.normal.matrix, jacobian, optimize=True)
+            matrix = chained(jacobian, fits.normal.matrix)
             objective = fits.normal.objective.sum() + 0.5 * float(np.sum(away * push))
             results.append((objective, np.einsum("tpk,tp->k", jacobian, push), matrix))
         return Normal(*(np.array(part) for part in zip(*results, strict=True)))

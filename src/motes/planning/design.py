@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import os
 from dataclasses import dataclass
@@ -13,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes import directions
-from motes.files import write_csv, write_text
+from motes.files import write_csv, write_json, write_text
 from motes.fitting.formatting import finite
 from motes.planning.expectations import Expectation
 from motes.planning.information import Noise
@@ -146,7 +145,7 @@ class Design:
 
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Write `to_dict` as a JSON file; returns its path."""
-        return write_text(path, json.dumps(self.to_dict(), indent=1, allow_nan=False) + "\n")
+        return write_json(path, self.to_dict())
 
     def table(self, path: str | os.PathLike[str]) -> Path:
         """Write the table for the lab book as CSV, and return its path; with readings in its column ``brdf`` `motes.read` reads it."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import os
 import time as clock
@@ -16,7 +15,7 @@ from numpy.typing import NDArray
 
 from motes.directions import above
 from motes.errors import DataError, MotesError
-from motes.files import write_csv, write_text
+from motes.files import write_csv, write_json
 from motes.fitting.formatting import finite
 from motes.material import Material
 from motes.measurements import Measurement
@@ -97,7 +96,7 @@ class Schedule:
 
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Write `to_dict` as a JSON file; returns its path."""
-        return write_text(path, json.dumps(self.to_dict(), indent=1, allow_nan=False) + "\n")
+        return write_json(path, self.to_dict())
 
     def table(self, path: str | os.PathLike[str]) -> Path:
         """Write the moments as CSV; returns its path."""

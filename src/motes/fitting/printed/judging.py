@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from motes.arrays import Array
 from motes.fitting import covariance as steps
 from motes.fitting import levenberg, second_look
 from motes.fitting.algebra import absolute
@@ -98,7 +99,7 @@ FUNCTIONS: dict[str, tuple[Callable[..., Any], tuple[str, ...]]] = {
 }
 
 
-def _curvature(algebra: Formulas, bent: Formula, matrix: Formula) -> Formula:
+def _curvature(algebra: Formulas, bent: Formula, matrix: Formula) -> Array:
     """The curvature, or where that has no minimum the matrix of the steps."""
     return algebra.where(algebra.less(-algebra.largest(-algebra.diagonal(bent)), 0.0), matrix, bent)
 
