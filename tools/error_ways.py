@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 import motes.fitting.uncertainty
 from motes.fitting.clusters import Middle, evened, middle_over
-from motes.fitting.direction_blocks import Labels, blocks_of, coordinates
 from motes.fitting.columns import in_own_units
+from motes.fitting.direction_blocks import Labels, blocks_of, coordinates
 from motes.fitting.error_bars import LEVELS
 from motes.fitting.problem import Problem
 from motes.fitting.students_t import half_width
