@@ -724,6 +724,7 @@ def test_every_command_and_option_is_documented() -> None:
             "material",
             "plan",
             "render",
+            "report",
             "simulate",
             "stack",
             "view",

@@ -13,6 +13,7 @@ import pytest
 
 import motes
 from motes.cli.demo_command import simulated_plaster
+from viewer_support import chromium
 
 ROOT = Path(__file__).resolve().parents[1]
 BLOCKS = re.findall(r"```sh\n(.*?)```", (ROOT / "README.md").read_text("utf-8"), re.DOTALL)
@@ -59,6 +60,7 @@ def test_make_demo_writes_where_the_readme_goes_on() -> None:
 def test_commands_run_one_after_the_other(folder: Path) -> None:
     for package in ("mitsuba", "zarr", "MaterialX"):
         pytest.importorskip(package)
+    chromium()  # prints the report
     shell("\n".join(MOTES), folder)
     for name in re.findall(
         r"-o (\S+)", "\n".join(line.partition("#")[0] for block in MOTES for line in block.splitlines())

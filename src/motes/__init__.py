@@ -79,6 +79,7 @@ outlets.offer("fit over time", "motes.report.time_page", "write_time_report")
 outlets.offer("certificate", "motes.report.certificate_page", "write_certificate")
 outlets.offer("comparison", "motes.report.comparison_page", "write_comparison")
 outlets.offer("fitted map", "motes.report.map_page", "write_map_page")
+outlets.offer_paper("motes.report.paper", "print_page")
 
 
 def __getattr__(name: str) -> object:

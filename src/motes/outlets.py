@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 from importlib import import_module
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Protocol, cast
 
 
@@ -20,11 +21,17 @@ class Writer(Protocol):
 
 
 _WRITERS: dict[str, tuple[str, str]] = {}
+_PRINTER: list[str] = []
 
 
 def offer(name: str, module: str, function: str) -> None:
     """Say that ``function`` of ``module``, which is imported when first asked for, writes the page called `name`."""
     _WRITERS[name] = (module, function)
+
+
+def offer_paper(module: str, function: str) -> None:
+    """Say that ``function`` of ``module`` prints such a page: it takes the page's path and the PDF's."""
+    _PRINTER[:] = module, function
 
 
 def offered() -> tuple[str, ...]:
@@ -39,5 +46,9 @@ def writer(name: str) -> Writer:
 
 
 def report(name: str, result: object, path: str | os.PathLike[str]) -> Path:
-    """Write a result as the page called `name`; returns its path."""
-    return writer(name)(result, path)
+    """Write a result as the page called `name`; returns its path.  A path that ends in ``.pdf`` gets it on paper (see `motes.report.paper`)."""
+    if os.path.splitext(path)[1].lower() != ".pdf":
+        return writer(name)(result, path)
+    with TemporaryDirectory(prefix="motes-") as folder:
+        printer = getattr(import_module(_PRINTER[0]), _PRINTER[1])
+        return cast(Path, printer(writer(name)(result, Path(folder, "report.html")), path))

@@ -45,7 +45,7 @@ def certify(
     date
         Of the page, such as 2026-01-31, to make it again bit by bit; today when not given.
     output
-        The page to write, NAME.html; certificate-SUBJECT.html when not given. NAME.json lies beside it.
+        The page to write, NAME.html, or NAME.pdf for paper; certificate-SUBJECT.html when not given. NAME.json lies beside it.
     """
     from motes.certification import certify as certified
     from motes.certification.certificate import Outcome
@@ -55,8 +55,8 @@ def certify(
     from motes.errors import MotesError
 
     page = Path(output) if output is not None else None
-    if page is not None and page.suffix.lower() != ".html":
-        raise MotesError(f"{page} is no page by its name", "Write -o NAME.html")
+    if page is not None and page.suffix.lower() not in (".html", ".pdf"):
+        raise MotesError(f"{page} is no page by its name", "Write -o NAME.html, or NAME.pdf for paper")
     found = certified(
         subject,
         as_model=as_model,

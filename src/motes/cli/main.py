@@ -34,6 +34,7 @@ def make_app() -> App:
     from motes.cli.material_command import material
     from motes.cli.plan_command import plan
     from motes.cli.render_command import render
+    from motes.cli.report_command import report
     from motes.cli.simulate_command import simulate
     from motes.cli.stack_command import stack
     from motes.cli.view_command import view
@@ -47,7 +48,7 @@ def make_app() -> App:
         default_parameter=cyclopts.Parameter(show_default=_default),
         suppress_keyboard_interrupt=False,  # `main` answers it
     )
-    for command in (fit, plan, stack, info, age, simulate, render, dust, view, export, material, certify, demo):
+    for command in (fit, plan, stack, info, age, simulate, render, dust, view, export, material, certify, report, demo):
         app.command(command, help=_description(command))
     return app
 

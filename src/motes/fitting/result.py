@@ -218,7 +218,7 @@ class Result(ABC):
         return Path(folder)
 
     def report(self, path: str | os.PathLike[str]) -> Path:
-        """Write a self-contained HTML report; returns its path."""
+        """Write a self-contained HTML report, or with a path ``NAME.pdf`` the same on paper; returns its path."""
         return outlets.report(self.kind, self, path)
 
 

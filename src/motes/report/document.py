@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from motes.drawing.colour import ColorOf, channels_to_srgb, data_uri, png, srgb_encode
 from motes.drawing.figure import panel_style
-from motes.drawing.markup import Html, tag
+from motes.drawing.markup import Html, table, tag
 from motes.material import Material
 from motes.report.findings import count
 from motes.version import __version__
@@ -22,6 +22,8 @@ CONVENTIONS = (
     "cosine, linear; angles are radians in numbers and degrees in pictures"
 )
 MOST_STOPS = 4
+#: Rows of a folded table that are printed; of a longer one paper has the words alone.
+MOST_PRINTED = 250
 
 C = TypeVar("C")
 
@@ -79,6 +81,16 @@ def headline(
             tag("dl", *(tag("div", tag("dt", name), tag("dd", value)) for name, value in facts), class_="facts"),
             tag("ul", *(tag("li", text) for text in findings), class_="notes") if findings else None,
         ),
+    )
+
+
+def folded(summary: str, head: Sequence[object], rows: Sequence[Sequence[object]]) -> Html:
+    """A table that opens at a click; paper shows it whole unless it is very long."""
+    return tag(
+        "details",
+        tag("summary", summary),
+        table(head, rows),
+        class_="long" if len(rows) > MOST_PRINTED else None,
     )
 
 

@@ -19,6 +19,7 @@ from motes.fitting.verdicts import Verdict
 from motes.material import Material
 from motes.measurements.origin import over_scale
 from motes.report import plots, residuals
+from motes.report.document import folded
 from motes.report.figures import Shown
 from motes.report.findings import count, percent
 from motes.report.slices import NearMirror, Samples, Slices
@@ -67,7 +68,7 @@ def parameters(context: Context) -> Html:
     return join(
         table(head, few) if few else None,
         spectral,
-        tag("details", tag("summary", f"Table of {summary}"), table(head, rest)) if rest else None,
+        folded(f"Table of {summary}", head, rest) if rest else None,
         tag(
             "p",
             f"The standard error is one sigma, by the sandwich estimator {fit.errors}. {what_errors_hold_for(fit.errors)}",
@@ -348,7 +349,7 @@ def provenance(context: Context) -> Html:
 def use(context: Context) -> Html:
     code = (
         "import motes\n"
-        'material = motes.load("material.json")       # written by motes fit, or saved from the link below\n'
+        'material = motes.load("material.json")       # written by motes fit, or saved from the page\n'
         "f = material.brdf.eval(wi, wo)               # 1/sr, without the cosine; wi, wo (..., 3) unit vectors"
     )
     return material_to_use(context.fit.material, code)
@@ -360,6 +361,11 @@ def material_to_use(material: Material, code: str) -> Html:
     address = "data:application/json;base64," + base64.b64encode(text.encode()).decode("ascii")
     return join(
         tag("pre", tag("code", code)),
-        tag("p", tag("a", "Save material.json", href=address, download="material.json"), " (it is part of this page)."),
-        tag("details", tag("summary", "material.json"), tag("pre", tag("code", text))),
+        tag(
+            "p",
+            tag("a", "Save material.json", href=address, download="material.json"),
+            " (it is part of this page).",
+            class_="screen",
+        ),
+        tag("details", tag("summary", "material.json"), tag("pre", tag("code", text)), class_="screen"),
     )

@@ -56,6 +56,12 @@ svg .faint { opacity: 0.32; }
 svg .cross { font-size: 20px; font-weight: 700; fill: var(--bad); }
 svg .dashed { stroke-linecap: butt; }
 .panels.trends svg .band { opacity: 0.15; }
+@media print {
+  .film { overflow: visible; grid-template-columns: repeat(var(--n), 1fr); gap: 4pt; }
+  .film div, .trend .note { font-size: 8.5pt; }
+  .trend { display: inline-block; }
+  .trend h3, .trend h3 code { font-size: 9.5pt; }
+}
 """
 
 

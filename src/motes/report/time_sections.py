@@ -15,6 +15,7 @@ from motes.fitting.result import Fit
 from motes.fitting.time_result import TimeFit, TrendFit
 from motes.fitting.verdicts import Verdict
 from motes.report import plots, residuals, sections, time_plots
+from motes.report.document import folded
 from motes.report.figures import Shown, channel_key
 from motes.report.findings import count, percent
 from motes.report.sections import Context, what_errors_hold_for
@@ -117,11 +118,7 @@ def coefficients(context: TimeContext) -> Html:
         (many if t.scan_values.shape[1] > MANY_CHANNELS else few).extend(rows)
     return join(
         table(head, few) if few else None,
-        tag(
-            "details",
-            tag("summary", f"Coefficients of the parameters with {context.fit.measurement.n_channels} channels"),
-            table(head, many),
-        )
+        folded(f"Coefficients of the parameters with {context.fit.measurement.n_channels} channels", head, many)
         if many
         else None,
         tag(
@@ -266,7 +263,7 @@ def provenance(context: TimeContext) -> Html:
 def use(context: TimeContext) -> Html:
     middle = float(f"{0.5 * (context.times.first + context.times.last):.3g}")
     lines = (
-        ('material = motes.load("material.json")', "written by motes fit, or saved from the link below"),
+        ('material = motes.load("material.json")', "written by motes fit, or saved from the page"),
         (f"brdf = material.at(hours={middle:g})", "beyond the last scan it extrapolates"),
         ("f = brdf.eval(wi, wo)", "1/sr, without the cosine; wi, wo (..., 3) unit vectors"),
     )
