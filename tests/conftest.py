@@ -18,6 +18,10 @@ from skips import (
     pytest_terminal_summary,  # noqa: F401 (a hook)
 )
 
+# A thread for each process: threads of linear algebra wait for one another by spinning, and where two processes share two cores, small systems took
+# four times as long.  NumPy reads this when it is first imported, which is later.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
 # Examples are the same in every run; a busy machine is no failure.
 settings.register_profile(
     "motes", deadline=None, derandomize=True, max_examples=50, suppress_health_check=[HealthCheck.too_slow]

@@ -110,7 +110,7 @@ def test_a_dropped_material_is_put_together_from_printed_pieces(chrome: Any, roc
 
 def test_what_is_drawn_is_the_light_that_is_reflected(chrome: Any, rock: Path) -> None:
     """Pixels of the sphere against the BRDF under the lamp, a white dome and the studio."""
-    with Viewed(chrome, rock, size=(400, 420)) as viewed:
+    with Viewed(chrome, rock, size=(400, 420), coarse=4) as viewed:
         viewed.settled()
         viewed.set(lobe=False, azimuth=25, elevation=20, environment="none")
         sphere, eye, rows, columns = seen(viewed)

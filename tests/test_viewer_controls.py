@@ -535,7 +535,7 @@ def test_accessible_to_everybody(chrome: Any, plaster: Path, rock: Path) -> None
         (rock, (3840, 2160), "light"),
     ):
         # The page's own policy would keep axe out.
-        with Viewed(chrome, file, size=size, color_scheme=scheme, bypass_csp=True) as viewed:
+        with Viewed(chrome, file, size=size, coarse=4, color_scheme=scheme, bypass_csp=True) as viewed:
             viewed.settled()
             viewed.page.add_script_tag(content=axe.read_text(encoding="utf-8"))
             found = viewed.page.evaluate("axe.run(document, { resultTypes: ['violations'] })")
@@ -627,7 +627,7 @@ def test_speed_on_the_software_renderer(chrome: Any, rock: Path) -> None:
       requestAnimationFrame(turn);
     })"""
     closed = seconds()
-    with Viewed(chrome, rock, size=(546, 860)) as viewed:
+    with Viewed(chrome, rock, size=(546, 860), coarse=1) as viewed:
         viewed.settled()
         opening = seconds() - closed
         viewed.js("void (app.stage.style.height = '514px')")

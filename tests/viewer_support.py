@@ -27,8 +27,8 @@ ROOT = Path(__file__).resolve().parents[1]
 SOURCES = ROOT / "viewer"
 STATIC = ROOT / "src" / "motes" / "viewer" / "static"
 FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
-#: Small: the software renderer's time goes with the pixels.
-SIZE = (400, 480)
+#: Small: the software renderer's time goes with the pixels, of which one stands for a square of so many to the side.
+SIZE, COARSE = (400, 480), 2
 PATIENCE = 60.0
 
 ROCK = OrenNayar(K_d=(0.8, 0.55, 0.35), sigma_d=0.4) + TorranceSparrow(K_s=0.3, sigma_s=0.15)
@@ -76,10 +76,20 @@ class Viewed:
     """A page of the viewer that is open, with what went wrong on it and what it asked the network for."""
 
     def __init__(
-        self, running: Any, file: Path, *, fragment: str = "", size: tuple[int, int] = SIZE, **options: Any
+        self,
+        running: Any,
+        file: Path,
+        *,
+        fragment: str = "",
+        size: tuple[int, int] = SIZE,
+        coarse: float = COARSE,
+        **options: Any,
     ) -> None:
         self.context = running.new_context(
-            viewport={"width": size[0], "height": size[1]}, accept_downloads=True, **options
+            viewport={"width": size[0], "height": size[1]},
+            device_scale_factor=1 / coarse,
+            accept_downloads=True,
+            **options,
         )
         self.errors: list[str] = []
         self.requests: list[str] = []
