@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -147,7 +149,7 @@ class Kernel:
     def __init__(self, fit: TexelSetup, recorded: Recorded, equations: NormalEquations, robust: Robust) -> None:
         printed = module.module(equations, _coefficients(fit), fit.facts)
         self.form, self.source = printed.form, printed.source
-        self.driver = engine.module(printed.source, f"the fit of {describe(fit.brdf)} to texels").fit
+        self._title = f"the fit of {describe(fit.brdf)} to texels"
         self.size, self.channels = fit.size, fit.channels
         self.times = 1 if fit.hours is None else len(fit.hours)
         self.given = len(fit.wi)
@@ -168,6 +170,12 @@ class Kernel:
             ]
         )
         self.items = printed.layout.room(self.times, self.given, self.samples)
+
+    @cached_property
+    def driver(self) -> Callable[..., None]:
+        """The compiled function; compiled when it is first asked for, since many fits have no texel for one of their forms."""
+        compiled: Callable[..., None] = engine.module(self.source, self._title).fit
+        return compiled
 
     def _columns(self, symbols: tuple[tracing.Symbol, ...], sampled: Sampled, tables: Tables | None) -> Singles:
         """What depends on directions alone, a row each; 0 for samples that do not exist."""
@@ -264,11 +272,11 @@ class Kernel:
         holds = np.ascontiguousarray(np.zeros(self.size) if held is None else held, np.float64)
         noise_step, held_step = int(noise is not None), self.size if holds.ndim == 2 else 0
         at, size, given = engine.address, self.size, self.times * self.given * self.channels
-        triangle = raw.covariances.shape[1]
+        triangle, driver = raw.covariances.shape[1], self.driver
 
         def work(task: int, room: NDArray[Any]) -> None:
             first, last = task * TASK, min(len(data), (task + 1) * TASK)
-            self.driver(
+            driver(
                 at(data) + 4 * first * given, self.times, self.given, self.samples, at(self.columns), self.columns.shape[1],
                 at(self.basis), at(box), last - first, at(raw.points) + 8 * first * size, at(raw.states) + 8 * first * len(STATE),
                 at(holds) + 8 * first * held_step, held_step, at(units) + 8 * first * noise_step, noise_step,
