@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import base64
-import html
 import json
 import re
 import subprocess
@@ -42,8 +40,8 @@ from motes.models import (
 )
 from shader_runners import checked, tool
 from test_exports_osl import blender
-from test_exports_three import browser, library
 from test_gltf import validated
+from three_support import drawn_gltf
 
 CLAY = Material(OrenNayar((0.7, 0.5, 0.3), 0.4), name="clay", channels=("R", "G", "B"))
 #: White surfaces, and the least that they reflect of a white sky; glTF and Standard Surface lose some by their definitions.
@@ -148,18 +146,9 @@ def test_drawn_by_three(name: str, tmp_path: Path) -> None:
     """The sphere of the file in three.js, under a sun from the side, against ours pixel by pixel."""
     model, tolerance = IN_THREE[name]
     path = surface_gltf.write([unfitted(model)], tmp_path / "ball.gltf")
-    (tmp_path / "three").symlink_to(library())
-    page = PAGE.replace("DATA", base64.b64encode(path.read_bytes()).decode()).replace("SIDE", "400")
-    (tmp_path / "page.html").write_text(page, encoding="utf-8")
-    command = [browser(), "--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-    command += ["--allow-file-access-from-files", f"--user-data-dir={tmp_path / 'profile'}"]
-    command += ["--virtual-time-budget=20000", "--dump-dom", (tmp_path / "page.html").as_uri()]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
-    match = re.search(r'<pre id="result">(.*?)</pre>', done.stdout, re.DOTALL)
-    assert match, done.stderr[-2000:]
-    found = json.loads(html.unescape(match[1]))
-    assert "error" not in found, found
-    pixels = np.array(found["pixels"]).reshape(40, 40, 4)[..., :3]
+    # A picture so large that three.js adds little roughness for the curvature of a pixel.
+    found = drawn_gltf(path, tmp_path, ("OrthographicCamera", [-1, 1, 1, -1, 0.1, 100]), side=400, step=10)
+    pixels = np.array(found["pixels"]).reshape(40, 40, 3)
     x, y = np.meshgrid(*2 * [(2 * (10 * np.arange(40) + 5) + 1) / 400 - 1])
     seen = x * x + y * y < 0.85
     normal = np.stack([x, y, np.sqrt(np.where(seen, 1 - x * x - y * y, 1.0))], axis=-1)[seen]
@@ -171,34 +160,6 @@ def test_drawn_by_three(name: str, tmp_path: Path) -> None:
     lit = wi[:, 2] > 0.1
     wanted = 2 * model.eval(wi, wo) * wi[:, 2:]
     np.testing.assert_allclose(pixels[seen][lit], wanted[lit], rtol=tolerance)
-
-
-PAGE = """<!doctype html><meta charset="utf-8"><pre id="result">nothing</pre>
-<script type="importmap">{"imports": {"three": "./three/build/three.module.js", "three/addons/": "./three/examples/jsm/"}}</script>
-<script type="module">
-import * as THREE from 'three';
-import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-const out = document.getElementById('result');
-try {
-  const bytes = Uint8Array.from(atob('DATA'), (c) => c.charCodeAt(0)).buffer;
-  const gltf = await new GLTFLoader().parseAsync(bytes, '');
-  const scene = new THREE.Scene();
-  const sun = new THREE.DirectionalLight(0xffffff, 2);
-  sun.position.set(0.6, 0, 0.8);
-  scene.add(gltf.scene, sun);
-  const camera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0.1, 100);
-  camera.position.set(0, 0, 5);
-  const renderer = new THREE.WebGLRenderer();
-  const target = new THREE.WebGLRenderTarget(SIDE, SIDE, { type: THREE.FloatType });
-  renderer.setRenderTarget(target);
-  renderer.render(scene, camera);
-  const pixels = new Float32Array(4 * SIDE * SIDE);
-  renderer.readRenderTargetPixels(target, 0, 0, SIDE, SIDE, pixels);
-  const every = [];  // tenth, of a picture so large that three.js adds little roughness for the curvature of a pixel
-  for (let y = 5; y < SIDE; y += 10) for (let x = 5; x < SIDE; x += 10) every.push(...pixels.slice(4 * (SIDE * y + x), 4 * (SIDE * y + x) + 4));
-  out.textContent = JSON.stringify({ pixels: every });
-} catch (error) { out.textContent = JSON.stringify({ error: String(error.stack ?? error) }); }
-</script>"""
 
 
 def test_the_khronos_validator_finds_nothing(tmp_path: Path) -> None:

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import html
 import json
-import os
-import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -20,38 +17,14 @@ from motes.exports import export, three
 from motes.exports.subject import subject
 from motes.models import BRDF
 from shader_support import MODELS, SPECTRAL
+from three_support import result
 
 ROOT = Path(__file__).resolve().parents[1]
 VIEWS = [(0.0, 0.0), (0.5, 0.3), (1.0, 2.0), (1.4, -1.0)]
 LIGHTS = [(0.2, 1.0), (0.8, 0.3 + np.pi), (1.3, 2.1), (1.0, 5.0)]
-
-
-def browser() -> str:
-    for name in ("chromium", "chromium-browser", "google-chrome"):
-        if path := shutil.which(name):
-            return path
-    pytest.skip("chromium is not installed")
-
-
-def library() -> Path:
-    """The folder of the package three: ``$MOTES_THREE``, or one that the viewer's build installed."""
-    places = [os.environ.get("MOTES_THREE", "")]
-    places += [str(p.parents[1]) for p in ROOT.glob("*/node_modules/three/build/three.module.js")]
-    places += [str(p.parents[1]) for p in ROOT.glob("src/motes/viewer/**/node_modules/three/build/three.module.js")]
-    for place in places:
-        if place and (Path(place) / "build" / "three.module.js").exists():
-            return Path(place)
-    pytest.skip("the npm package three is not installed (set MOTES_THREE to its folder)")
-
-
-PAGE = """<!doctype html><meta charset="utf-8"><title>test</title><pre id="result">nothing</pre>
-<script type="importmap">{"imports": {"three": "./three/build/three.module.js"}}</script>
-<script type="module">
-import * as THREE from 'three';
-import { createMaterial, setParameter, parameters, albedo } from './material.js';
-const out = document.getElementById('result');
-try {
-  const { views, lights, changes } = JSON.parse(document.getElementById('job').textContent);
+IMPORTS = "import { createMaterial, setParameter, parameters, albedo } from './material.js';"
+SCRIPT = """
+  const { views, lights, changes } = job;
   const renderer = new THREE.WebGLRenderer();
   const errors = [];
   renderer.debug.onShaderError = (gl, program, vertex, fragment) => errors.push(gl.getShaderInfoLog(fragment) || gl.getShaderInfoLog(vertex));
@@ -88,36 +61,19 @@ try {
   for (const attempt of [() => setParameter(material, 'K_x', 1), () => setParameter(material, parameters[0].name, -1), () => createMaterial(THREE, { K_x: 1 })])
     try { attempt(); refused.push('nothing'); } catch (error) { refused.push(error.message); }
   setParameter(material, parameters[0].name, 0.25);
-  out.textContent = JSON.stringify({ far, near, spot, ambient, albedo, refused, errors, first: material.uniforms[parameters[0].uniform].value });
-} catch (error) { out.textContent = JSON.stringify({ errors: [String(error.stack ?? error)] }); }
-</script>"""
+  return { far, near, spot, ambient, albedo, refused, errors, first: material.uniforms[parameters[0].uniform].value };
+"""
 
 
 def drawn(text: str, folder: Path, changes: dict[str, object]) -> dict[str, list]:
     """What the page found."""
     (folder / "material.js").write_text(text, encoding="utf-8")
-    os.symlink(library(), folder / "three")
     job = {
         "views": [from_spherical(*view).tolist() for view in VIEWS],
         "lights": [from_spherical(*light).tolist() for light in LIGHTS],
         "changes": changes,
     }
-    page = PAGE.replace(
-        '<script type="importmap">',
-        f'<script id="job" type="application/json">{json.dumps(job)}</script>\n<script type="importmap">',
-    )
-    (folder / "page.html").write_text(page, encoding="utf-8")
-    command = [browser(), "--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-    command += [
-        "--allow-file-access-from-files",
-        f"--user-data-dir={folder / 'profile'}",
-        "--virtual-time-budget=20000",
-    ]
-    command += ["--dump-dom", (folder / "page.html").as_uri()]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
-    match = re.search(r'<pre id="result">(.*?)</pre>', done.stdout, re.DOTALL)
-    assert match, done.stderr[-2000:]
-    return json.loads(html.unescape(match[1]))
+    return result(IMPORTS, SCRIPT, folder, job)
 
 
 def lit(model: BRDF) -> np.ndarray:

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import base64
-import html
 import json
-import re
 import shutil
 import subprocess
 from collections.abc import Callable
@@ -20,7 +17,7 @@ from motes.meshes import read_mesh
 from motes.meshes.glb import write_glb
 from motes.meshes.mesh import Mesh
 from motes.models import BRDF, GGX, Dust, DustLayer, Lambert, OrenNayar, Schlick
-from test_exports_three import browser, library
+from three_support import drawn_gltf
 
 ROOT = Path(__file__).resolve().parents[1]
 Run = Callable[..., tuple[int, str, str]]
@@ -116,53 +113,15 @@ def test_the_khronos_validator_finds_nothing(tmp_path: Path) -> None:
     assert validated(tmp_path / "broken.glb")["issues"]["numErrors"] > 0
 
 
-PAGE = """<!doctype html><meta charset="utf-8"><pre id="result">nothing</pre>
-<script type="importmap">{"imports": {"three": "./three/build/three.module.js", "three/addons/": "./three/examples/jsm/"}}</script>
-<script type="module">
-import * as THREE from 'three';
-import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-const out = document.getElementById('result');
-try {
-  const bytes = Uint8Array.from(atob('DATA'), (c) => c.charCodeAt(0)).buffer;
-  const gltf = await new GLTFLoader().parseAsync(bytes, '');
-  const scene = new THREE.Scene();
-  const sun = new THREE.DirectionalLight(0xffffff, 2);
-  sun.position.set(0.6, 0, 0.8);
-  scene.add(gltf.scene, sun);
-  const camera = new THREE.PerspectiveCamera(0.01, 1, 0.1, 100);
-  camera.position.set(0, 0, 5);
-  const renderer = new THREE.WebGLRenderer();
-  const target = new THREE.WebGLRenderTarget(3, 3, { type: THREE.FloatType });
-  renderer.setRenderTarget(target);
-  renderer.render(scene, camera);
-  const pixel = new Float32Array(36);
-  renderer.readRenderTargetPixels(target, 0, 0, 3, 3, pixel);
-  const mesh = gltf.scene.getObjectByProperty('isMesh', true);
-  const tau = mesh.geometry.attributes._tau?.array[0], specular = mesh.material.specularIntensity;
-  out.textContent = JSON.stringify({ pixel: [...pixel.slice(16, 19)], tau, specular });
-} catch (error) { out.textContent = JSON.stringify({ error: String(error.stack ?? error) }); }
-</script>"""
-
-
 @pytest.mark.slow
 def test_drawn_by_three(tmp_path: Path) -> None:
     """A square of dusty paint under a sun: colour / pi x cosine x intensity."""
     model = DustLayer(PAINT, SAND, scattering="multiple")
     path, colour = written(tmp_path / "square.glb", model)
-    (tmp_path / "three").symlink_to(library())
-    page = PAGE.replace("DATA", base64.b64encode(path.read_bytes()).decode())
-    (tmp_path / "page.html").write_text(page, encoding="utf-8")
-    command = [browser(), "--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-    command += ["--allow-file-access-from-files", f"--user-data-dir={tmp_path / 'profile'}"]
-    command += ["--virtual-time-budget=20000", "--dump-dom", (tmp_path / "page.html").as_uri()]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
-    match = re.search(r'<pre id="result">(.*?)</pre>', done.stdout, re.DOTALL)
-    assert match, done.stderr[-2000:]
-    found = json.loads(html.unescape(match[1]))
-    assert "error" not in found, found
+    found = drawn_gltf(path, tmp_path, ("PerspectiveCamera", [0.01, 1, 0.1, 100]), side=3, step=3)
     assert found["tau"] == pytest.approx(0.4)
     assert found["specular"] == 0
-    np.testing.assert_allclose(found["pixel"], colour / np.pi * 0.8 * 2, rtol=1e-3)
+    np.testing.assert_allclose(found["pixels"][0], colour / np.pi * 0.8 * 2, rtol=1e-3)
 
 
 # ---------------------------------------------------------------- the command

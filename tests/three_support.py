@@ -1,0 +1,91 @@
+"""Pages with three.js in a headless browser, on its software renderer; skipped, by name, without chromium or three."""
+
+from __future__ import annotations
+
+import base64
+import html
+import json
+import os
+import re
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from viewer_support import ROOT, chromium
+
+_PAGE = """<!doctype html><meta charset="utf-8"><title>test</title><pre id="result">nothing</pre>
+<script id="job" type="application/json">JOB</script>
+<script type="importmap">{"imports": {"three": "./three/build/three.module.js", "three/addons/": "./three/examples/jsm/"}}</script>
+<script type="module">
+import * as THREE from 'three';
+IMPORTS
+const job = JSON.parse(document.getElementById('job').textContent), out = document.getElementById('result');
+try { out.textContent = JSON.stringify(await (async () => { SCRIPT })()); }
+catch (error) { out.textContent = JSON.stringify({ error: String(error.stack ?? error) }); }
+</script>"""
+
+_LOADER = "import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';"
+# A file under a sun from the side, seen by a camera; every step-th pixel of a square picture, and what the first mesh says.
+_GLTF = """
+const bytes = Uint8Array.from(atob(job.file), (c) => c.charCodeAt(0)).buffer;
+const gltf = await new GLTFLoader().parseAsync(bytes, '');
+const scene = new THREE.Scene(), sun = new THREE.DirectionalLight(0xffffff, 2);
+sun.position.set(0.6, 0, 0.8);
+scene.add(gltf.scene, sun);
+const camera = new THREE[job.camera[0]](...job.camera[1]);
+camera.position.set(0, 0, 5);
+const renderer = new THREE.WebGLRenderer();
+const { side, step } = job, target = new THREE.WebGLRenderTarget(side, side, { type: THREE.FloatType });
+renderer.setRenderTarget(target);
+renderer.render(scene, camera);
+const all = new Float32Array(4 * side * side), first = Math.floor(step / 2), pixels = [];
+renderer.readRenderTargetPixels(target, 0, 0, side, side, all);
+for (let y = first; y < side; y += step) for (let x = first; x < side; x += step) pixels.push([...all.slice(4 * (side * y + x), 4 * (side * y + x) + 3)]);
+const mesh = gltf.scene.getObjectByProperty('isMesh', true);
+return { pixels, tau: mesh.geometry.attributes._tau?.array[0], specular: mesh.material.specularIntensity };
+"""
+
+
+def library() -> Path:
+    """The folder of the package three: ``$MOTES_THREE``, or one that the viewer's build installed."""
+    places = [os.environ.get("MOTES_THREE", "")]
+    places += [str(p.parents[1]) for p in ROOT.glob("*/node_modules/three/build/three.module.js")]
+    places += [str(p.parents[1]) for p in ROOT.glob("src/motes/viewer/**/node_modules/three/build/three.module.js")]
+    for place in places:
+        if place and (Path(place) / "build" / "three.module.js").exists():
+            return Path(place)
+    pytest.skip("the npm package three is not installed (set MOTES_THREE to its folder)")
+
+
+def result(imports: str, script: str, folder: Path, job: dict[str, Any]) -> dict[str, Any]:
+    """What a script returns, the body of a function that knows ``THREE``, what it `imports` and the `job`; the page is in `folder`."""
+    (folder / "three").symlink_to(library())
+    page = folder / "page.html"
+    text = _PAGE.replace("IMPORTS", imports).replace("SCRIPT", script).replace("JOB", json.dumps(job))
+    page.write_text(text, encoding="utf-8")
+    command = [
+        chromium(),
+        "--headless",
+        "--no-sandbox",
+        "--use-angle=swiftshader",
+        "--enable-unsafe-swiftshader",
+        "--allow-file-access-from-files",
+        f"--user-data-dir={folder / 'profile'}",
+        "--virtual-time-budget=20000",
+        "--dump-dom",
+        page.as_uri(),
+    ]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+    match = re.search(r'<pre id="result">(.*?)</pre>', done.stdout, re.DOTALL)
+    assert match, done.stderr[-2000:]
+    found: dict[str, Any] = json.loads(html.unescape(match[1]))
+    assert "error" not in found, found
+    return found
+
+
+def drawn_gltf(path: Path, folder: Path, camera: tuple[str, list[float]], side: int, step: int) -> dict[str, Any]:
+    """What is drawn of a glTF file, from the front: colours of every `step`-th pixel, the bottom row first."""
+    file = base64.b64encode(path.read_bytes()).decode()
+    return result(_LOADER, _GLTF, folder, {"file": file, "camera": camera, "side": side, "step": step})
