@@ -17,6 +17,8 @@ Labels = NDArray[np.intp]
 BLOCKS, LEAST_DIRECTIONS = 24, 4
 # Pairs whose coordinates differ by less are at one place [rad]: directions in files of single precision.
 SAME = 1e-6
+# How far from where a cut should be it is looked for first [pairs].
+WINDOW = 32
 
 
 def blocks_of(wi: Floats, wo: Floats, count: int = BLOCKS) -> Labels:
@@ -46,31 +48,51 @@ def blocks_of(wi: Floats, wo: Floats, count: int = BLOCKS) -> Labels:
     >>> blocks_of(from_spherical(theta, 0.0), from_spherical(theta, np.pi), 3).tolist()
     [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2]
     """
-    at = coordinates(wi, wo)
-    labels = np.zeros(len(at), np.intp)
-    for k, part in enumerate(_cut(at, np.arange(len(at)), count)):
+    at = np.ascontiguousarray(coordinates(wi, wo).T)
+    labels = np.zeros(len(wi), np.intp)
+    for k, part in enumerate(_cut(at, np.arange(len(wi)), count)):
         labels[part] = k
     return labels
 
 
 def _cut(at: Floats, part: Labels, count: int) -> list[Labels]:
-    """A part cut into `count` blocks, or as many as there can be."""
+    """A part, with the coordinates (3, n) of its pairs, cut into `count` blocks, or as many as there can be."""
     count = min(count, len(part) // LEAST_DIRECTIONS)
     if count < 2:
         return [part]
     first = count // 2
-    for axis in np.argsort(-np.ptp(at[part], axis=0), kind="stable"):
-        order = part[np.argsort(at[part, axis], kind="stable")]
-        cuts = np.flatnonzero(np.diff(at[order, axis]) > SAME) + 1
-        cuts = cuts[(cuts >= LEAST_DIRECTIONS) & (cuts <= len(part) - LEAST_DIRECTIONS)]
-        if len(cuts):
-            where = cuts[np.argmin(np.abs(count * cuts - first * len(part)))]
-            return [*_cut(at, order[:where], first), *_cut(at, order[where:], count - first)]
+    for axis in np.argsort(-np.ptp(at, axis=1), kind="stable"):
+        beyond = _end_of_first(at[axis], first / count)
+        if beyond is not None:
+            before = at[axis] < beyond
+            sides = (np.flatnonzero(before), first), (np.flatnonzero(~before), count - first)
+            return [block for rows, n in sides for block in _cut(at.take(rows, axis=1), part.take(rows), n)]
     return [part]
+
+
+def _end_of_first(along: Floats, share: float) -> float | None:
+    """The coordinate of the first pair of the second part, where pairs are cut in two along a coordinate (n,); None where they cannot be cut."""
+    count = len(along)
+    middle = round(share * count)
+    near, far = middle - WINDOW, middle + WINDOW
+    if near > LEAST_DIRECTIONS and far < count - LEAST_DIRECTIONS:
+        # A cut lies here as a rule, and what is farther off need not be sorted for that: a quarter of the time.
+        found = _nearest_cut(np.sort(np.partition(along, (near, far))[near : far + 1]), share * count - near, 1)
+        if found is not None:
+            return found
+    return _nearest_cut(np.sort(along), share * count, LEAST_DIRECTIONS)
+
+
+def _nearest_cut(sorted_: Floats, target: float, least: int) -> float | None:
+    """The number that begins the second part, of two places, with at least so many numbers in each; the parts as close to `target` as can be."""
+    cuts = np.flatnonzero(np.diff(sorted_) > SAME) + 1
+    cuts = cuts[(cuts >= least) & (cuts <= len(sorted_) - least)]
+    return float(sorted_[cuts[np.argmin(np.abs(cuts - target))]]) if len(cuts) else None
 
 
 def coordinates(wi: Floats, wo: Floats) -> Floats:
     """Coordinates (N, 3) [rad] of what a reciprocal, isotropic surface can tell apart."""
     theta_h, theta_d, phi_d = half_difference(wi, wo)
-    quarter = np.arctan2(np.abs(np.sin(phi_d)), np.abs(np.cos(phi_d)))
+    either = np.abs(phi_d)
+    quarter = np.minimum(either, np.pi - either)
     return np.stack([theta_h, theta_d, np.sin(theta_h) * np.sin(theta_d) * quarter], axis=-1)

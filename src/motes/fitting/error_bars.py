@@ -122,15 +122,12 @@ def together(misses: Floats, labels: Labels) -> bool:
     the other sign: then the sum of u^2 has the mean sum r^2, and a variance that is known, too.  `BEYOND` standard deviations are
     more than a few in ten thousand of independent data reach.
     """
-    sizes = np.abs(misses)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        signs = np.nan_to_num(misses / sizes)
-    directions = np.arange(misses.shape[1])
-    for r in (misses / max(float(sizes.max(initial=0.0)), 1e-300), signs):
-        for groups in (directions, labels):
-            sums, squares, fourths = (
-                np.bincount(groups, np.sum(r**k, axis=(0, 2)), minlength=int(groups.max()) + 1) for k in (1, 2, 4)
-            )
+    largest = max(float(misses.max(initial=0.0)), -float(misses.min(initial=0.0)), 1e-300)
+    for r in (misses / largest, np.nan_to_num(np.sign(misses))):
+        squared = np.square(r)
+        of_directions = [np.sum(power, axis=(0, 2)) for power in (r, squared, np.square(squared))]
+        of_blocks = [np.bincount(labels, power) for power in of_directions]
+        for sums, squares, fourths in (of_directions, of_blocks):
             excess = np.sum(sums**2) - np.sum(squares)
             if excess > BEYOND * math.sqrt(2 * max(0.0, float(np.sum(squares**2) - np.sum(fourths)))) + 1e-12:
                 return True

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from motes.directions import from_spherical
+from motes.directions import from_spherical, theta
 from motes.fitting.result import Fit
 from motes.fitting.time_result import TimeFit
 from motes.fitting.verdicts import Verdict
@@ -24,6 +24,8 @@ Floats = NDArray[np.float64]
 POOR = 0.3  # relative RMS: beyond it a model misses much of a measurement
 SURE = 2.0  # standard errors that a parameter must lie beyond its range
 BRIGHT = 1.02  # directional albedo; the quadrature is good to a thousandth
+# A coarse quadrature, good to a few hundredths, settles the matter where it finds less than this share of that.
+ROUGH, CLEARLY = (8, 8), 0.8
 BACKWARD = -0.3  # mean cosine of dust; what is known of real dust is above 0
 STEEP = math.radians(10)  # from the normal: cameras and lamps within see no roughness
 MANY_CHANNELS = 64  # beyond them the albedo is not integrated
@@ -111,6 +113,9 @@ def _albedo(fit: Fit | TimeFit) -> list[str]:
     for hour in hours:
         brdf = fit.material.brdf if isinstance(fit, Fit) else fit.material.at(hour)
         assert isinstance(brdf, BRDF)
+        albedo = np.asarray(brdf.directional_albedo(wi, nodes=ROUGH), float).max(axis=-1)
+        if np.isfinite(albedo).all() and albedo.max() < CLEARLY * BRIGHT:
+            continue
         albedo = np.asarray(brdf.directional_albedo(wi, nodes=(24, 32)), float).max(axis=-1)
         if np.isfinite(albedo).all() and albedo.max() > worst:
             worst, at = float(albedo.max()), degrees[int(np.argmax(albedo))]
@@ -145,19 +150,17 @@ def _unseen_roughness(fit: Fit | TimeFit) -> list[str]:
     if not used.any():
         return []
     for name, _, _ in _values(fit, Role.DIFFUSE_ROUGHNESS):
-        for what, theta, w in (
-            ("viewer", data.theta_r[used], data.wo[used]),
-            ("light", data.theta_i[used], data.wi[used]),
-        ):
-            if theta.max() < STEEP:
+        for what, w in (("viewer", data.wo[used]), ("light", data.wi[used])):
+            farthest = float(theta(w[np.argmin(w[:, 2])]))
+            if farthest < STEEP:
                 return [
-                    f"The {what} is within {math.degrees(theta.max()):.2g} degrees of the normal in all samples, where {name} does little but scale "
+                    f"The {what} is within {math.degrees(farthest):.2g} degrees of the normal in all samples, where {name} does little but scale "
                     f"the diffuse colour: these data hardly tell the two apart. --fix {name}=0.3 holds one of them."
                 ]
             alone = isinstance(fit, Fit) and fit.parameters[name].verdict is not Verdict.IDENTIFIED
-            if alone and len(theta) > 5 and np.ptp(w, axis=0).max() < 1e-3:
+            if alone and len(w) > 5 and np.ptp(w, axis=0).max() < 1e-3:
                 return [
-                    f"All samples have the same {what}, at {math.degrees(theta[0]):.2g} degrees: one scan tells little of {name}. "
+                    f"All samples have the same {what}, at {math.degrees(float(theta(w[0]))):.2g} degrees: one scan tells little of {name}. "
                     f"Measure with another {what} as well, or hold it: --fix {name}=0.3"
                 ]
     return []

@@ -32,6 +32,8 @@ NUMPY = Target(
         "where": "where({0}, {1}, {2})",
     },
 )
+#: Directions of which `FitFunction.geometry` is made at a time.
+BLOCK = 8192
 _HEADER = "from numpy import arcsin, cos, exp, expm1, log, log1p, maximum, minimum, sin, sqrt, where\n"
 
 
@@ -81,10 +83,17 @@ class FitFunction:
 
     def geometry(self, wi: NDArray[Any], wo: NDArray[Any]) -> Columns:
         """Everything that depends on the directions ``wi, wo`` (N, 3) alone: float64 arrays (N, 1)."""
-        wi, wo = np.asarray(wi, np.float64), np.asarray(wo, np.float64)
+        axes = [
+            np.ascontiguousarray(w[:, k])
+            for w in (np.asarray(wi, np.float64), np.asarray(wo, np.float64))
+            for k in range(3)
+        ]
+        count, columns = len(axes[0]), []
         with np.errstate(all="ignore"):
-            columns = self._geometry(*(w[:, k : k + 1] for w in (wi, wo) for k in range(3)))
-        return tuple(np.ascontiguousarray(column) for column in columns)
+            for first in range(0, max(1, count), BLOCK):  # whose intermediate results stay in cache
+                columns.append(self._geometry(*(axis[first : first + BLOCK, None] for axis in axes)))
+        parts = list(zip(*columns, strict=True))
+        return tuple(np.concatenate(part) if len(part[0]) == min(count, BLOCK) else part[0] for part in parts)
 
     def values(self, geometry: Columns, parameters: Mapping[str, Any]) -> Any:
         """The BRDF [1/sr].

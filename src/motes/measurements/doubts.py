@@ -19,6 +19,7 @@ AWAY = 0.35  # rad from the half vector to the normal: beyond most highlights
 LIGHT = (100.0, 100_000.0)  # nm
 FEWEST = 20  # samples that a statement needs
 MOST_ROWS = 2000  # directions that the sides of the highlight are compared with
+MOST_REPEATED = 100_000  # directions among which repeated ones are looked for
 WIDTHS = (0.05, 0.1, 0.2, 0.35, 0.5)  # of highlights [rad]
 BETTER = 0.25  # the turned azimuths must leave so much of the squared residuals, or less
 
@@ -37,15 +38,16 @@ def _reflected(data: Measurement) -> Floats:
     result = np.full((data.n_times, data.n_channels), np.nan)
     cosines = data.wi[:, 2] * data.wo[:, 2]
     weighted = bool(np.ptp(data.weights) > 0)
-    away = directions.theta(data.wi + data.wo) > AWAY
+    wh = data.wi + data.wo
+    away = wh[:, 2] < np.cos(AWAY) * np.sqrt(np.einsum("nk,nk->n", wh, wh))
     for t in range(data.n_times):
         for c in range(data.n_channels):
             use = data.mask[t, :, c] if weighted else data.mask[t, :, c] & away
             if np.count_nonzero(use) < FEWEST:
                 continue
             v = data.values[t, use, c]
-            share = (data.weights * cosines)[use]
-            result[t, c] = np.pi * (float(v @ share) / float(share.sum()) if weighted else np.median(v))
+            share = (data.weights * cosines)[use] if weighted else None
+            result[t, c] = np.pi * (np.median(v) if share is None else float(v @ share) / float(share.sum()))
     return result
 
 
@@ -81,7 +83,6 @@ def _nice(x: float) -> str:
 
 def _angles(data: Measurement) -> list[str]:
     """Degrees that were read as radians, and the other way round."""
-    theta_i, theta_r = data.theta_i, data.theta_r
     below = ~directions.above(data.wi, data.wo)
     table = data.provenance.get("format") == "csv"
     found = []
@@ -90,8 +91,8 @@ def _angles(data: Measurement) -> list[str]:
         found.append(
             f"{below.mean():.0%} of the directions are at or below the horizon: the angles may be in another unit.{how}"
         )
-    highest = float(max(theta_i.max(), theta_r.max()))
-    if len(theta_i) >= FEWEST and 0 < highest < 0.03:
+    highest = max(float(directions.theta(w[np.argmin(w[:, 2])])) for w in (data.wi, data.wo))
+    if len(below) >= FEWEST and 0 < highest < 0.03:
         how = " --read 'column:NAME=theta_i_rad', and so on, reads them as such." if table else ""
         found.append(
             f"All directions lie within {np.degrees(highest):.2g} degrees of the normal: the angles may be in radians and not in degrees.{how}"
@@ -142,13 +143,14 @@ def _explained(wi: Floats, wo: Floats, f: Floats) -> tuple[float, float]:
     matrix, target = np.stack(lobes, axis=1) * cos_i[:, None], f * cos_i
     scale = np.linalg.norm(matrix, axis=0)
     matrix = matrix / np.maximum(scale, 1e-300)
+    gram, onto = matrix.T @ matrix, matrix.T @ target
     used = np.ones(matrix.shape[1], bool)
     weights = np.zeros(matrix.shape[1])
     while (
         used.any()
     ):  # leave out what would be negative: an approximation of non-negative least squares that is good enough here
         weights[:] = 0
-        weights[used] = np.linalg.lstsq(matrix[:, used], target, rcond=None)[0]
+        weights[used] = np.linalg.lstsq(gram[np.ix_(used, used)], onto[used], rcond=None)[0]
         if weights.min() >= 0:
             break
         used[int(np.argmin(weights))] = False
@@ -197,10 +199,18 @@ def _channels(data: Measurement) -> list[str]:
 def _rows(data: Measurement) -> list[str]:
     """Rows that stand there twice, values and all."""
     t = int(np.argmax(data.mask.any(axis=(1, 2))))
-    rows = np.concatenate([data.wi, data.wo, data.values[t]], axis=1)[data.mask[t].any(axis=1)]
-    if not FEWEST <= len(rows) <= 100_000:
+    usable = data.mask[t].any(axis=1)
+    if not FEWEST <= np.count_nonzero(usable) <= MOST_REPEATED:
         return []
-    repeated = len(rows) - len({row.tobytes() for row in rows + 0.0})
+    rows = np.concatenate([data.wi, data.wo, data.values[t]], axis=1)[usable]
+    # Equal rows have equal sums; of others hardly any have, and only what shares its sum is looked at number by number.
+    sums = np.zeros(len(rows))
+    for k, column in enumerate(np.nan_to_num(rows.T, copy=True)):
+        sums += column * np.sqrt(k + 2.0)
+    order = np.argsort(sums)
+    same = np.diff(sums[order]) == 0
+    shared = rows[order[np.append(same, False) | np.append(False, same)]]
+    repeated = len(shared) - len({row.tobytes() for row in shared + 0.0})
     if repeated < 2:
         return []
     return [f"{repeated} of {len(rows)} samples repeat others, directions and values alike: they count twice in a fit."]

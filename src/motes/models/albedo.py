@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
+from numpy.typing import NDArray
 
 from motes.arrays import NUMPY, Array
 from motes.directions import Geometry, Vector
 from motes.models.components import Reflecting
 from motes.models.lifting import averaged, broadcast, leading, lifted, matching, sliced
 
+Floats = NDArray[np.float64]
 #: Values (directions of light x nodes x channels) that are integrated at a time.
 AT_ONCE = 1 << 21
 
@@ -24,11 +28,7 @@ def directional_albedo(model: Reflecting, channels: int, xp: Array, wi: Array, n
             for k in range(0, len(flat), step)
         ]
         return np.concatenate(parts).reshape(*shape, -1)
-    polar, weights = np.polynomial.legendre.leggauss(nodes[0])
-    grid = np.stack(np.meshgrid(0.5 * (polar + 1), (np.arange(nodes[1]) + 0.5) / nodes[1], indexing="ij"), -1).reshape(
-        -1, 2
-    )
-    grid_weights = np.repeat(0.5 * weights / nodes[1], nodes[1])
+    grid, grid_weights = _grid(nodes)
     u, grid_weights = matching(grid, wi), matching(grid_weights, wi)
     wi = broadcast(wi[..., None, :], (*wi.shape[:-1], len(grid), 3))
     with np.errstate(all="ignore"):
@@ -45,3 +45,12 @@ def directional_albedo(model: Reflecting, channels: int, xp: Array, wi: Array, n
             ratio = xp.where(pdf > 0, value * cosine / xp.maximum(pdf, 1e-30), 0.0)
             total = total + (ratio * grid_weights[:, None]).sum(-2)
     return total
+
+
+@lru_cache(maxsize=16)
+def _grid(nodes: tuple[int, int]) -> tuple[Floats, Floats]:
+    """Points (n, 2) in the unit square and their weights (n,): Gauss-Legendre along the first axis, equal steps along the second."""
+    polar, weights = np.polynomial.legendre.leggauss(nodes[0])
+    steps = (np.arange(nodes[1]) + 0.5) / nodes[1]
+    grid = np.stack(np.meshgrid(0.5 * (polar + 1), steps, indexing="ij"), -1).reshape(-1, 2)
+    return grid, np.repeat(0.5 * weights / nodes[1], nodes[1])

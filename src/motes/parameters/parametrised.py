@@ -41,6 +41,13 @@ def _declared(cls: Any) -> tuple[Parameter, ...]:
 
 
 @cache
+def _members(cls: Any) -> tuple[tuple[str, Parameter | None], ...]:
+    """All fields in order, with the parameters that they are."""
+    declared = {p.name: p for p in _declared(cls)}
+    return tuple((f.name, declared.get(f.name)) for f in fields(cls))
+
+
+@cache
 def _options(cls: Any) -> tuple[Option, ...]:
     return tuple(Option(name=f.name, **f.metadata["option"]) for f in fields(cls) if "option" in f.metadata)
 
@@ -99,13 +106,12 @@ class Parametrised:
 
     def _walk(self, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Parameter, Array]]:
         """Parameters in the order of the fields, depth first."""
-        declared = {p.name: p for p in self.declared()}
-        for f in fields(self):
-            value = getattr(self, f.name)
-            if f.name in declared:
-                yield (*path, f.name), declared[f.name], value
+        for name, declared in _members(type(self)):
+            value = getattr(self, name)
+            if declared is not None:
+                yield (*path, name), declared, value
             elif isinstance(value, Parametrised):
-                yield from value._walk((*path, f.name))
+                yield from value._walk((*path, name))
 
     def at_place(self, place: Place) -> tuple[Any, ...]:
         """The parts of this object itself that have such a place, in order; absent ones are left out."""
