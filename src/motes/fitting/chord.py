@@ -22,7 +22,7 @@ class Chord:
         residual, jacobian = problem.linearised(x, slice(0, len(problem.wi)), np.arange(len(x)))
         self._transposed = np.swapaxes(jacobian, 2, 3)  # (T, C, K, N)
         weighted = jacobian * np.sqrt(problem.robust.slope((residual / problem.scale) ** 2))[..., None]
-        self._matrix = problem.matrix(np.swapaxes(weighted, 2, 3) @ weighted)
+        self._matrix = problem.layout.matrix(np.swapaxes(weighted, 2, 3) @ weighted)
 
     def normal(self, x: Floats, sets: NDArray[np.intp]) -> Normal:
         """As `Problem.normal`, where the gradient and the matrix are about those at `x` (B, P)."""
@@ -31,5 +31,5 @@ class Chord:
         z = (residual / problem.scale) ** 2
         objective = 0.5 * problem.scale**2 * problem.robust.rho(z).sum(axis=(1, 2))
         push = (residual * problem.robust.slope(z))[..., None]
-        gradient = problem.vector((self._transposed[sets] @ push)[..., 0])
+        gradient = problem.layout.vector((self._transposed[sets] @ push)[..., 0])
         return Normal(objective, gradient, self._matrix[sets])

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Callable
+from functools import cached_property
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +13,9 @@ from numpy.typing import NDArray
 from motes.fitting.algebra import ARRAYS, Arrays
 from motes.fitting.columns import Columns
 from motes.fitting.losses import Floats
-from motes.fitting.solver import Normal, Solution, minimize
+from motes.fitting.solver import Normal, Solution, Spare, minimize
+
+T = TypeVar("T")
 
 
 class Objective(ABC):
@@ -71,6 +76,17 @@ class Objective(ABC):
     def counting(self, times: Floats) -> Objective:
         """The objective in which each direction counts so many times (N,)."""
 
+    @cached_property
+    def _last(self) -> dict[str, tuple[bytes, Any]]:
+        return {}
+
+    def once(self, what: str, x: Floats, make: Callable[[], T]) -> T:
+        """What `make` finds at `x`, kept until it is asked for elsewhere: several ask for it at a solution, and it is a pass over the data."""
+        if self._last.get(what, (b"",))[0] != x.tobytes():
+            self._last[what] = (x.tobytes(), make())
+        found: T = self._last[what][1]
+        return found
+
     @property
     def algebra(self) -> Arrays:
         """What its matrices are computed with."""
@@ -95,6 +111,7 @@ class Objective(ABC):
         held: NDArray[np.bool_] | None = None,
         reduction: float = 1e-10,
         max_iterations: int = 200,
+        spare: Spare | None = None,
     ) -> Solution:
         """Minimise from each of `starts` (B, P); see `motes.fitting.solver.minimize`."""
         bright = self.brightness()
@@ -108,4 +125,5 @@ class Objective(ABC):
             reduction=reduction,
             max_iterations=max_iterations,
             algebra=self.algebra,
+            spare=spare,
         )

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from motes import workers
 from motes.fitting.algebra import ARRAYS, Arrays
 from motes.fitting.arrowhead import Arrowhead
+from motes.fitting.channel_layout import ChannelLayout
 from motes.fitting.columns import Columns
 from motes.fitting.covariance import LEAST_REMAINDER
 from motes.fitting.losses import Floats, Loss, Robust
@@ -119,6 +120,10 @@ class Problem(Objective):
         return [q.where for q in self.quantities]
 
     def brightness(self) -> Floats:
+        return self._brightness
+
+    @cached_property
+    def _brightness(self) -> Floats:
         return np.atleast_1d(np.square(self._roots * self._targets).sum(axis=(-2, -1)))
 
     def labels(self, channels: tuple[str, ...]) -> tuple[str, ...]:
@@ -174,6 +179,11 @@ class Problem(Objective):
         """Objectives and normal equations for parameter vectors ``x`` (B, P).
 
         ``sets`` (B,) says which of T data sets each vector belongs to."""
+        if len(x) == 1 and sets is None and self.size <= CHANNELS:  # 2,151 bands: a matrix is 37 MB
+            return self.once("normal", x, lambda: self._normal(x, None))
+        return self._normal(x, sets)
+
+    def _normal(self, x: Floats, sets: NDArray[np.intp] | None) -> Normal:
         results = self._mapped(lambda rows: self._normal_part(x, rows, sets), len(x))
         if len(results) == 1:
             return Normal(*results[0])
@@ -181,14 +191,20 @@ class Problem(Objective):
 
     def predicted(self, x: Floats) -> Floats:
         """The BRDF (N, C) [1/sr] for one parameter vector (P,)."""
-        parts = self._mapped(
-            lambda rows: self._broadcast(self._function.values(self._rows(rows), self._arguments(x[None])), rows)[0], 1
+        return np.ascontiguousarray(self._predicted(x).T)
+
+    def _predicted(self, x: Floats) -> Floats:
+        """The same as (C, N)."""
+        return self.once(
+            "predicted", x, lambda: np.concatenate(self._mapped(lambda rows: self._f(x, rows), 1), axis=-1)
         )
-        return np.ascontiguousarray(np.concatenate(list(parts), axis=-1).T)
+
+    def _f(self, x: Floats, rows: slice) -> Floats:
+        return self._broadcast(self._function.values(self._rows(rows), self._arguments(x[None])), rows)[0]
 
     def residuals(self, x: Floats) -> Floats:
         """Weighted residuals (N, C) for one parameter vector (P,); 0 where masked."""
-        return (self._roots * (self.loss.transform(self.predicted(x).T, self._cosines) - self._targets)).T
+        return (self._roots * (self.loss.transform(self._predicted(x), self._cosines) - self._targets)).T
 
     def misfits(self, x: Floats, sets: NDArray[np.intp] | None = None) -> Floats:
         """Weighted residuals (B, C, N) for parameter vectors (B, P), each of its data set."""
@@ -222,6 +238,8 @@ class Problem(Objective):
 
         It is the Gauss-Newton matrix for least squares.  Under a robust function the matrix that makes good steps is
         larger than that: it leaves out that a residual counts less as it grows."""
+        if self.robust.name == "none":
+            return self.normal(x[None], sets).matrix[0]
         parts = self._mapped(lambda rows: self._curvature_part(x[None], rows, sets), 1)
         return np.asarray(np.sum(parts, axis=0))
 
@@ -233,7 +251,9 @@ class Problem(Objective):
         def part(rows: slice) -> Floats:
             _, jacobian = self.linearised(x[None], rows, sets)
             push = self._data(moved, rows, sets)
-            return np.asarray(self.vector(np.einsum("bcnk,bcn->bck", jacobian, push.reshape(1, *push.shape[-2:])))[0])
+            return np.asarray(
+                self.layout.vector(np.einsum("bcnk,bcn->bck", jacobian, push.reshape(1, *push.shape[-2:])))[0]
+            )
 
         return np.asarray(np.sum(self._mapped(part, 1), axis=0))
 
@@ -284,23 +304,24 @@ class Problem(Objective):
         transposed = np.swapaxes(jacobian, 2, 3)  # (B, C, K, n)
         products = transposed @ jacobian  # (B, C, K, K)
         slopes = (transposed @ residual[..., None])[..., 0]  # (B, C, K)
-        return objective, self.vector(slopes), self.matrix(products)
+        return objective, self.layout.vector(slopes), self.layout.matrix(products)
 
     def _curvature_part(self, x: Floats, rows: slice, sets: NDArray[np.intp] | None) -> Floats:
         residual, jacobian = self.linearised(x, rows, sets)
         bend = self.robust.bend((residual / self.scale) ** 2)[..., None]  # (1, C, n, 1)
-        return np.asarray(self.matrix(np.swapaxes(jacobian, 2, 3) @ (bend * jacobian))[0])
+        return np.asarray(self.layout.matrix(np.swapaxes(jacobian, 2, 3) @ (bend * jacobian))[0])
 
     def _spread_part(self, x: Floats, inverse: Floats, rows: slice, sets: NDArray[np.intp] | None) -> Floats:
         residual, jacobian = self.linearised(x, rows, sets)
         z = (residual / self.scale) ** 2
         psi = (residual * self.robust.slope(z))[0]  # (C, n)
-        index = self._index  # (C, K)
+        index = self.layout.index  # (C, K)
         blocks = inverse[index[:, :, None], index[:, None, :]]  # (C, K, K)
-        leverage = np.einsum("cnk,ckl,cnl->cn", jacobian[0], blocks, jacobian[0])
+        transposed = np.swapaxes(jacobian[0], 1, 2)  # (C, K, n), which is how it lies in memory
+        leverage = ((blocks @ transposed) * transposed).sum(axis=1)
         leverage *= self.robust.bend(z)[0]
-        scaled = jacobian[0] * (psi / np.maximum(1 - leverage, LEAST_REMAINDER))[..., None]
-        return np.asarray(self.matrix((np.swapaxes(scaled, 1, 2) @ scaled)[None])[0])
+        scaled = transposed * (psi / np.maximum(1 - leverage, LEAST_REMAINDER))[:, None]
+        return np.asarray(self.layout.matrix((scaled @ np.swapaxes(scaled, 1, 2))[None])[0])
 
     def linearised(self, x: Floats, rows: slice, sets: NDArray[np.intp] | None) -> tuple[Floats, Floats]:
         """Weighted residuals (B, C, n) and their derivatives (B, C, n, K): per-channel parameters, then shared."""
@@ -315,7 +336,7 @@ class Problem(Objective):
         slope = roots * self.loss.slope(f, cosines)  # (B, C, n) or (C, n)
         batch, channels, n = residual.shape
         transposed = np.empty((batch, channels, len(self.quantities), n))
-        for k, name in enumerate(self._order):
+        for k, name in enumerate(self.layout.order):
             np.multiply(derivatives[name], slope, out=transposed[:, :, k])
         return residual, np.swapaxes(transposed, 2, 3)
 
@@ -330,10 +351,13 @@ class Problem(Objective):
         return given | held
 
     def _rows(self, rows: slice) -> tuple[Floats, ...]:
+        if rows.stop - rows.start == len(self.wi):
+            return self._columns
         return tuple(column[rows] if len(column) > 1 else column for column in self._columns)
 
     def _broadcast(self, f: Floats, rows: slice, batch: int = 1) -> Floats:
-        return np.broadcast_to(f, (batch, self.channels, rows.stop - rows.start))
+        shape = (batch, self.channels, rows.stop - rows.start)
+        return f if f.shape == shape else np.broadcast_to(f, shape)
 
     def _mapped(self, work: Callable[[slice], Part], batch: int) -> list[Part]:
         """`work` on slices of the directions, in their order, on all processors when there is much to do."""
@@ -354,31 +378,9 @@ class Problem(Objective):
     # ------------------------------------------------------------ layout
 
     @cached_property
-    def _order(self) -> list[str]:
-        return [q.name for q in self.quantities if q.per_channel] + [
-            q.name for q in self.quantities if not q.per_channel
-        ]
-
-    @cached_property
-    def _index(self) -> NDArray[np.intp]:
-        """Positions (C, K) in the parameter vector of what acts on each channel, in the order of `_order`."""
-        own = [np.arange(q.where.start, q.where.stop) for q in self.quantities if q.per_channel]
-        shared = [np.full(self.channels, q.where.start) for q in self.quantities if not q.per_channel]
-        return np.stack(own + shared, axis=1)
-
-    def vector(self, parts: Floats) -> Floats:
-        """Sum (B, C, K) into (B, P)."""
-        total = np.zeros((len(parts), self.size))
-        for c, index in enumerate(self._index):
-            total[:, index] += parts[:, c]
-        return total
-
-    def matrix(self, parts: Floats) -> Floats:
-        """Sum (B, C, K, K) into (B, P, P)."""
-        total = np.zeros((len(parts), self.size, self.size))
-        for c, index in enumerate(self._index):
-            total[:, index[:, None], index[None, :]] += parts[:, c]
-        return total
+    def layout(self) -> ChannelLayout:
+        """Where what acts on a channel stands in the parameter vector."""
+        return ChannelLayout(self.quantities, self.channels)
 
 
 def _directions_last(array: Floats) -> Floats:

@@ -18,6 +18,9 @@ from motes.fitting.levenberg import At, Box, Damping, Precision
 from motes.fitting.losses import Floats
 from motes.fitting.verdicts import Status
 
+#: Which of the fits that still run to give up, from their parameters (R, P), objectives (R,) and iterations (R,).
+Spare = Callable[[Floats, Floats, NDArray[np.int64]], NDArray[np.bool_]]
+
 
 class Normal(NamedTuple):
     """Half the (robust) sum of squares (B,), its gradient (B, P), and the Gauss-Newton matrix (B, P, P)."""
@@ -56,6 +59,7 @@ def minimize(
     max_iterations: int = 200,
     reduction: float = 1e-10,
     algebra: Arrays = ARRAYS,
+    spare: Spare | None = None,
 ) -> Solution:
     """Minimise from each row of `x` (B, P) within [low, high] (P,).
 
@@ -73,6 +77,8 @@ def minimize(
         Converged when a full step promises less than this share of the objective; see also `motes.fitting.levenberg`.
     algebra
         What the Gauss-Newton matrices are solved with.
+    spare
+        Which of the fits that still run to give up; their status is that of those whose iterations ran out.
     """
     x = np.clip(np.array(x, float), low, high)
     batch, size = x.shape
@@ -84,19 +90,33 @@ def minimize(
     def at_rows(points: Floats, rows: NDArray[np.intp]) -> Normal:
         return normal(points) if sets is None else normal(points, sets[rows])
 
-    objective, gradient, matrix = (np.array(part) for part in at_rows(x, np.arange(batch)))
+    found = Normal(*(np.array(part) for part in at_rows(x, np.arange(batch))))
     endings, iterations = np.zeros(batch, np.intp), np.zeros(batch, np.int64)
     first = levenberg.FIRST_DAMPING, levenberg.FIRST_GROWTH, 0.0
-    damping = Damping(*(np.full(batch, number) for number in first))
     running = np.arange(batch)
+    lanes = _Lanes(x, *found, *(np.full(batch, number) for number in first), fixed, bright)
+
+    def end(which: NDArray[np.bool_]) -> _Lanes:
+        """Put down where some of the lanes are, and go on with the others."""
+        rows = running[which]
+        x[rows] = lanes.x[which]
+        found.objective[rows], found.gradient[rows], found.matrix[rows] = (
+            part[which] for part in (lanes.objective, lanes.gradient, lanes.matrix)
+        )
+        return _Lanes(*(part[~which] for part in lanes))
+
     with np.errstate(all="ignore"):
         for _ in range(max_iterations):
-            if not len(running):
-                break
-            at = At(x[running].T, objective[running], gradient[running].T, matrix[running].transpose(1, 2, 0))
-            damped = Damping(*(part[running] for part in damping))
-            stopped = levenberg.held(algebra, at, box, fixed[running].T, bright[running])
-            step = np.zeros_like(at.x)
+            if spare is not None:
+                superfluous = spare(lanes.x, lanes.objective, iterations[running])
+                if superfluous.any():
+                    lanes, running = end(superfluous), running[~superfluous]
+                if not len(running):
+                    break
+            at = At(lanes.x.T, lanes.objective, lanes.gradient.T, lanes.matrix.transpose(1, 2, 0))
+            damped = Damping(lanes.damping, lanes.growth, lanes.idle)
+            stopped = levenberg.held(algebra, at, box, lanes.fixed.T, lanes.bright)
+            step = np.zeros(at.x.shape)
             for _round in range(levenberg.ROUNDS):
                 step, stopped, leaving = levenberg.bounded_step(algebra, at, damped.size, box, stopped, step)
                 if not leaving.any():
@@ -104,20 +124,37 @@ def minimize(
             proposed = levenberg.proposal(algebra, at, damped, step, box, precision)
             moved, promised = proposed.moved.T, proposed.promised
             ended = proposed.ending > 0
-            endings[running[ended]] = proposed.ending[ended].astype(np.intp)
-            x[running[ended]] = moved[ended]
-            running, moved, promised = running[~ended], moved[~ended], promised[~ended]
-            if not len(running):
-                break
+            if ended.any():
+                endings[running[ended]] = proposed.ending[ended].astype(np.intp)
+                lanes = lanes._replace(x=np.where(ended[:, None], moved, lanes.x))
+                lanes, running, moved, promised = end(ended), running[~ended], moved[~ended], promised[~ended]
+                if not len(running):
+                    break
             iterations[running] += 1
             new = at_rows(moved, running)
-            damped = Damping(*(part[running] for part in damping))
-            verdict = levenberg.judged(algebra, objective[running], new.objective, promised, damped, precision)
-            for part, after in zip(damping, verdict.damping, strict=True):
-                part[running] = after
+            damped = Damping(lanes.damping, lanes.growth, lanes.idle)
+            verdict = levenberg.judged(algebra, lanes.objective, new.objective, promised, damped, precision)
             better = verdict.better > 0
-            accepted = running[better]
-            x[accepted] = moved[better]
-            objective[accepted], gradient[accepted], matrix[accepted] = (part[better] for part in new)
-    status = [levenberg.ENDINGS[code] for code in endings]
-    return Solution(x, Normal(objective, gradient, matrix), status, iterations)
+            taken = (moved, *new)
+            if not better.all():
+                taken = tuple(
+                    np.where(better.reshape(-1, *[1] * (now.ndim - 1)), now, was)
+                    for now, was in zip(taken, lanes[:4], strict=True)
+                )
+            lanes = _Lanes(*taken, *verdict.damping, lanes.fixed, lanes.bright)
+        end(np.ones(len(running), bool))
+    return Solution(x, found, [levenberg.ENDINGS[code] for code in endings], iterations)
+
+
+class _Lanes(NamedTuple):
+    """What is known of the fits that still run: of each (P,), (), (P,), (P, P), then (), and what is held (P,)."""
+
+    x: Floats
+    objective: Floats
+    gradient: Floats
+    matrix: Floats
+    damping: Floats
+    growth: Floats
+    idle: Floats
+    fixed: Floats
+    bright: Floats

@@ -11,6 +11,7 @@ import itertools
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from motes.fitting.losses import Floats
 from motes.fitting.problem import Problem
@@ -22,7 +23,10 @@ SEARCH_SAMPLES = 600
 SEARCH_LANES = 24
 LARGEST_GRID = 1000
 #: A fit that goes on after so many iterations is given up if its sum of squares is so many times the best one's.
-PATIENCE, HOPELESS = 12, 9.0
+PATIENCE, HOPELESS = 8, 9.0
+# One that is where the best one is, after so many iterations, is not followed to the same end.
+SETTLED = 3
+ITERATIONS = 60
 
 
 def starting_points(problem: Problem, given: Floats | None, most: int) -> Floats:
@@ -44,27 +48,43 @@ def starting_points(problem: Problem, given: Floats | None, most: int) -> Floats
     ends = _ends(grey, chosen)
     distinct = [ends[0]]
     for end in ends[1:]:
-        if len(distinct) < most and all(np.any(np.abs(end - d) > 0.02 * np.abs(d) + 1e-3) for d in distinct):
+        if len(distinct) < most and all(_apart(end, d) for d in distinct):
             distinct.append(end)
     starts = np.stack([_expand(problem, grey, x, brightness) for x in distinct])
     return starts if given is None else np.concatenate([given[None], starts])
 
 
 def _ends(grey: Problem, chosen: Floats) -> Floats:
-    """Where fits from the chosen points end (B, P), the best first.
-
-    All of them advance together, and what is left of them at last is one that creeps: it is given up where it is far above the others' ends.
-    """
-    fine = grey.solve(chosen, max_iterations=PATIENCE, reduction=1e-6)
-    objective, x = fine.normal.objective.copy(), fine.x
+    """Where fits from the chosen points end (B, P), the best first; without those that were given up."""
+    fine = grey.solve(chosen, max_iterations=ITERATIONS, reduction=1e-6, spare=_Superfluous())
     late = np.array([status is Status.MAX_ITERATIONS for status in fine.status])
-    hopeless = late & (objective > HOPELESS * objective.min())
-    late &= ~hopeless
-    if late.any():
-        more = grey.solve(x[late], max_iterations=60 - PATIENCE, reduction=1e-6)
-        objective[late], x[late] = more.normal.objective, more.x
-    order = np.argsort(objective, kind="stable")
-    return np.asarray(x[order[~hopeless[order]]])
+    given_up = late & (fine.iterations < ITERATIONS)
+    order = np.argsort(fine.normal.objective, kind="stable")
+    return np.asarray(fine.x[order[~given_up[order]]])
+
+
+class _Superfluous:
+    """Of fits that advance together: those that need not be followed, where the best one has been or far above it.
+
+    What is left of them at last is one that creeps, and a step of one takes as long as a step of all.
+    """
+
+    def __init__(self) -> None:
+        self.least, self.best = np.inf, np.empty(0)
+
+    def __call__(self, x: Floats, objective: Floats, iterations: NDArray[np.int64]) -> NDArray[np.bool_]:
+        first = int(np.argmin(objective))  # a NaN, whose fit is about to end, passes for once
+        if objective[first] < self.least:
+            self.least, self.best = float(objective[first]), x[first].copy()
+        if not len(self.best) or iterations[0] < SETTLED:
+            return np.zeros(len(x), bool)
+        there = (objective > self.least) & ~_apart(x, self.best)
+        return np.asarray(there | ((iterations >= PATIENCE) & (objective > HOPELESS * self.least)))
+
+
+def _apart(x: Floats, other: Floats) -> NDArray[np.bool_]:
+    """Whether points (..., P) are elsewhere than another one (P,)."""
+    return np.asarray(np.any(np.abs(x - other) > 0.02 * np.abs(other) + 1e-3, axis=-1))
 
 
 def _spread_out(x: Floats, order: np.ndarray, gridded: np.ndarray) -> np.ndarray:
@@ -101,14 +121,13 @@ def _bright_start(grey: Problem, q: Quantity) -> float:
 
 def _grey(problem: Problem) -> tuple[Problem, Floats]:
     """The mean over channels at a few hundred directions, half of them bright; the channels' brightness."""
-    weights = problem.weights
-    count = np.maximum((weights > 0).sum(axis=1), 1)
-    values = np.where(weights > 0, problem.values, 0).sum(axis=1) / count
-    mean = np.array(
-        [np.average(v, weights=w) if w.any() else 1.0 for v, w in zip(problem.values.T, weights.T, strict=True)]
-    )
+    # Sums over few channels, the last axis, would take five times as long.
+    measured, weights = (np.ascontiguousarray(x.T) for x in (problem.values, problem.weights))
+    count = np.maximum((weights > 0).sum(axis=0), 1)
+    values = np.where(weights > 0, measured, 0).sum(axis=0) / count
+    mean = np.array([np.average(v, weights=w) if w.any() else 1.0 for v, w in zip(measured, weights, strict=True)])
     brightness = np.maximum(mean, 1e-12) / max(float(mean.mean()), 1e-12)
-    total = weights.mean(axis=1)
+    total = weights.mean(axis=0)
     usable = np.flatnonzero(total > 0)
     if len(usable) > SEARCH_SAMPLES:
         rng = np.random.default_rng(20070101)
