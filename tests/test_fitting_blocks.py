@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 from motes.directions import from_half_difference, from_spherical
-from motes.fitting.direction_blocks import BLOCKS, LEAST_DIRECTIONS, blocks_of
+from motes.fitting.direction_blocks import BLOCKS, LEAST_DIRECTIONS, SAME, blocks_of, end_of_first
 
 Floats = NDArray[np.float64]
 
@@ -49,6 +49,22 @@ def test_azimuth_means_nothing_where_light_and_viewer_mirror_each_other_or_meet(
         ring_wi, ring_wo = from_half_difference(theta_h, theta_d, phi)
         labels = blocks_of(np.concatenate([wi, ring_wi]), np.concatenate([wo, ring_wo]))
         assert len(set(labels[200:].tolist())) == 1
+
+
+@pytest.mark.parametrize(("count", "step"), [(5000, 0.0), (20_000, 0.0), (20_000, 1e-3), (20_000, 0.05)])
+def test_a_cut_that_is_looked_for_nearby_is_the_one_that_sorting_finds(count: int, step: float) -> None:
+    """With `step` many pairs are at one place, and near the middle there may be no cut."""
+    rng = np.random.default_rng(count)
+    along = rng.uniform(0, 1.5, count)
+    along = np.round(along / step) * step if step else along
+    for share in (0.5, 1 / 3, 2 / 5, 0.02):
+        order = np.sort(along)
+        cuts = np.array(
+            [k for k in range(LEAST_DIRECTIONS, count - LEAST_DIRECTIONS + 1) if order[k] - order[k - 1] > SAME]
+        )
+        expected = order[cuts[np.argmin(np.abs(cuts - share * count))]]
+        assert end_of_first(along, share) == expected
+    assert end_of_first(np.full(count, 0.3), 0.5) is None
 
 
 def test_the_order_of_directions_does_not_matter() -> None:

@@ -64,3 +64,22 @@ def test_where_nothing_fits_well_every_search_is_finished(monkeypatch: pytest.Mo
     monkeypatch.setattr(starts, "PATIENCE", 60)
     _, at_once = passes(monkeypatch, given)
     np.testing.assert_allclose(found[0], at_once[0], rtol=0.02, atol=1e-3)
+
+
+def test_searches_that_come_together_are_followed_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    given = problem(noise=0.02)
+    lanes = 0
+    normal = Problem.normal
+
+    def counted(self: Problem, x: Any, sets: Any = None) -> Normal:
+        nonlocal lanes
+        lanes += len(x)
+        return normal(self, x, sets)
+
+    monkeypatch.setattr(Problem, "normal", counted)
+    found = starts.starting_points(given, None, 16)
+    together, lanes = lanes, 0
+    monkeypatch.setattr(starts, "SETTLED", 1000)
+    apart = starts.starting_points(given, None, 16)
+    assert together < 0.9 * lanes
+    np.testing.assert_allclose(found[0], apart[0], rtol=1e-2)

@@ -62,7 +62,7 @@ def _cut(at: Floats, part: Labels, count: int) -> list[Labels]:
         return [part]
     first = count // 2
     for axis in np.argsort(-np.ptp(at, axis=1), kind="stable"):
-        beyond = _end_of_first(at[axis], first / count)
+        beyond = end_of_first(at[axis], first / count)
         if beyond is not None:
             before = at[axis] < beyond
             sides = (np.flatnonzero(before), first), (np.flatnonzero(~before), count - first)
@@ -70,7 +70,7 @@ def _cut(at: Floats, part: Labels, count: int) -> list[Labels]:
     return [part]
 
 
-def _end_of_first(along: Floats, share: float) -> float | None:
+def end_of_first(along: Floats, share: float) -> float | None:
     """The coordinate of the first pair of the second part, where pairs are cut in two along a coordinate (n,); None where they cannot be cut."""
     count = len(along)
     middle = round(share * count)

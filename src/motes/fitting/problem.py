@@ -200,7 +200,8 @@ class Problem(Objective):
         )
 
     def _f(self, x: Floats, rows: slice) -> Floats:
-        return self._broadcast(self._function.values(self._rows(rows), self._arguments(x[None])), rows)[0]
+        f: Floats = self._broadcast(self._function.values(self._rows(rows), self._arguments(x[None])), rows)[0]
+        return f
 
     def residuals(self, x: Floats) -> Floats:
         """Weighted residuals (N, C) for one parameter vector (P,); 0 where masked."""
@@ -239,7 +240,8 @@ class Problem(Objective):
         It is the Gauss-Newton matrix for least squares.  Under a robust function the matrix that makes good steps is
         larger than that: it leaves out that a residual counts less as it grows."""
         if self.robust.name == "none":
-            return self.normal(x[None], sets).matrix[0]
+            matrix: Floats = self.normal(x[None], sets).matrix[0]
+            return matrix
         parts = self._mapped(lambda rows: self._curvature_part(x[None], rows, sets), 1)
         return np.asarray(np.sum(parts, axis=0))
 

@@ -94,7 +94,8 @@ def minimize(
     endings, iterations = np.zeros(batch, np.intp), np.zeros(batch, np.int64)
     first = levenberg.FIRST_DAMPING, levenberg.FIRST_GROWTH, 0.0
     running = np.arange(batch)
-    lanes = _Lanes(x, *found, *(np.full(batch, number) for number in first), fixed, bright)
+    damping = Damping(*(np.full(batch, number) for number in first))
+    lanes = _Lanes(x, found.objective, found.gradient, found.matrix, damping, fixed, bright)
 
     def end(which: NDArray[np.bool_]) -> _Lanes:
         """Put down where some of the lanes are, and go on with the others."""
@@ -103,7 +104,7 @@ def minimize(
         found.objective[rows], found.gradient[rows], found.matrix[rows] = (
             part[which] for part in (lanes.objective, lanes.gradient, lanes.matrix)
         )
-        return _Lanes(*(part[~which] for part in lanes))
+        return lanes.among(~which)
 
     with np.errstate(all="ignore"):
         for _ in range(max_iterations):
@@ -114,14 +115,13 @@ def minimize(
                 if not len(running):
                     break
             at = At(lanes.x.T, lanes.objective, lanes.gradient.T, lanes.matrix.transpose(1, 2, 0))
-            damped = Damping(lanes.damping, lanes.growth, lanes.idle)
             stopped = levenberg.held(algebra, at, box, lanes.fixed.T, lanes.bright)
             step = np.zeros(at.x.shape)
             for _round in range(levenberg.ROUNDS):
-                step, stopped, leaving = levenberg.bounded_step(algebra, at, damped.size, box, stopped, step)
+                step, stopped, leaving = levenberg.bounded_step(algebra, at, lanes.damping.size, box, stopped, step)
                 if not leaving.any():
                     break
-            proposed = levenberg.proposal(algebra, at, damped, step, box, precision)
+            proposed = levenberg.proposal(algebra, at, lanes.damping, step, box, precision)
             moved, promised = proposed.moved.T, proposed.promised
             ended = proposed.ending > 0
             if ended.any():
@@ -132,29 +132,33 @@ def minimize(
                     break
             iterations[running] += 1
             new = at_rows(moved, running)
-            damped = Damping(lanes.damping, lanes.growth, lanes.idle)
-            verdict = levenberg.judged(algebra, lanes.objective, new.objective, promised, damped, precision)
+            verdict = levenberg.judged(algebra, lanes.objective, new.objective, promised, lanes.damping, precision)
             better = verdict.better > 0
-            taken = (moved, *new)
+            taken: list[Floats] = [moved, *new]
             if not better.all():
-                taken = tuple(
-                    np.where(better.reshape(-1, *[1] * (now.ndim - 1)), now, was)
-                    for now, was in zip(taken, lanes[:4], strict=True)
-                )
-            lanes = _Lanes(*taken, *verdict.damping, lanes.fixed, lanes.bright)
+                was = (lanes.x, lanes.objective, lanes.gradient, lanes.matrix)
+                taken = [
+                    np.where(better.reshape(-1, *[1] * (now.ndim - 1)), now, before)
+                    for now, before in zip(taken, was, strict=True)
+                ]
+            lanes = _Lanes(taken[0], taken[1], taken[2], taken[3], verdict.damping, lanes.fixed, lanes.bright)
         end(np.ones(len(running), bool))
     return Solution(x, found, [levenberg.ENDINGS[code] for code in endings], iterations)
 
 
 class _Lanes(NamedTuple):
-    """What is known of the fits that still run: of each (P,), (), (P,), (P, P), then (), and what is held (P,)."""
+    """What is known of the fits that still run: of each (P,), (), (P,), (P, P), the damping, what is held (P,), and ()."""
 
     x: Floats
     objective: Floats
     gradient: Floats
     matrix: Floats
-    damping: Floats
-    growth: Floats
-    idle: Floats
+    damping: Damping
     fixed: Floats
     bright: Floats
+
+    def among(self, rows: NDArray[np.bool_]) -> _Lanes:
+        """Some of them."""
+        x, objective, gradient, matrix, damping, fixed, bright = self
+        damped = Damping(*(part[rows] for part in damping))
+        return _Lanes(x[rows], objective[rows], gradient[rows], matrix[rows], damped, fixed[rows], bright[rows])

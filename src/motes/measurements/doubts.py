@@ -205,8 +205,10 @@ def _rows(data: Measurement) -> list[str]:
     rows = np.concatenate([data.wi, data.wo, data.values[t]], axis=1)[usable]
     # Equal rows have equal sums; of others hardly any have, and only what shares its sum is looked at number by number.
     sums = np.zeros(len(rows))
-    for k, column in enumerate(np.nan_to_num(rows.T, copy=True)):
-        sums += column * np.sqrt(k + 2.0)
+    with np.errstate(all="ignore"):
+        for k, column in enumerate(rows.T):
+            sums += column * np.sqrt(k + 2.0)
+    sums = np.nan_to_num(sums)  # what is no number counts as equal
     order = np.argsort(sums)
     same = np.diff(sums[order]) == 0
     shared = rows[order[np.append(same, False) | np.append(False, same)]]

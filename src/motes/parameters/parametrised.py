@@ -106,7 +106,7 @@ class Parametrised:
 
     def _walk(self, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Parameter, Array]]:
         """Parameters in the order of the fields, depth first."""
-        for name, declared in _members(type(self)):
+        for name, declared in _members(type(self)):  # type: ignore[arg-type]
             value = getattr(self, name)
             if declared is not None:
                 yield (*path, name), declared, value
