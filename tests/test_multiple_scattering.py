@@ -16,6 +16,7 @@ from motes.errors import ParameterError
 from motes.material import Material, load
 from motes.models import BRDF, Dust, DustLayer, Lambert, OrenNayar, TorranceSparrow, describe, parse
 from motes.models.multiple_scattering import Diffused
+from motes.models.slants import Slant
 
 GOLDEN = Path(__file__).parent.parent.parent / "shared/golden/dust_layer_exact.csv"
 needs_golden = pytest.mark.skipif(not GOLDEN.is_file(), reason="../shared/golden/dust_layer_exact.csv is not there")
@@ -94,9 +95,9 @@ def test_reciprocity_is_exact_and_nothing_negative() -> None:
     there, back = np.asarray(model.eval(wi, wo)), np.asarray(model.eval(wo, wi))
     np.testing.assert_allclose(there, back, rtol=1e-11)
     assert (there >= 0).all()
-    mu = wi[:, 2]
+    slant = Slant.of(NUMPY, wi[:, 2])
     parts = Diffused(NUMPY, model.tau, model.dust.w[:, 0], model.dust.g)
-    for share in (parts.escaping(mu), parts.arriving(mu), parts.mean_arriving, parts.mean_returned):
+    for share in (parts.escaping(slant), parts.arriving(slant), parts.mean_arriving, parts.mean_returned):
         assert (np.asarray(share) >= 0).all()
         assert (np.asarray(share) <= 1).all()
     dark = layer(TorranceSparrow(1.0, 0.02), model.tau, model.dust.w, model.dust.g)  # 0 but about the mirror direction

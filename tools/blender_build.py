@@ -23,6 +23,7 @@ from motes.exports.osl_layer import layer_shader
 from motes.models import Dust
 from motes.models.dust_optics import DUSTS
 from motes.models.multiple_scattering import INFINITE, Diffused
+from motes.models.slants import Slant
 from motes.models.standard import DIFFUSIVITY, MEAN_COSINE
 from motes.rendering.deposition import GROWTH_PER_DAY, SETTLING
 from motes.version import __version__
@@ -44,9 +45,10 @@ def facts(dust: Dust) -> dict[str, Any]:
     place = np.linspace(0, 1, STOPS)
     tau = np.where(place < 1, place / np.maximum(1 - place, 1e-12), INFINITE)[:, None]
     layer = Diffused(NUMPY, tau, np.broadcast_to(dust.w, 3), dust.g)
-    below = (1 - layer.hit(MEAN_COSINE)) * layer.mean_returned + layer.arriving(MEAN_COSINE)
+    mean = Slant.at(MEAN_COSINE)
+    below = layer.straight(mean) * layer.mean_returned + layer.arriving(mean)
     curves = {
-        "escaping": layer.escaping(MEAN_COSINE),
+        "escaping": layer.escaping(mean),
         "below": below * layer.mean_arriving,
         "returned": layer.mean_returned,
     }

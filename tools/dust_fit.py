@@ -22,7 +22,8 @@ from numpy.typing import NDArray
 from small_network import Network
 
 from motes.arrays import NUMPY
-from motes.models.multiple_scattering import LOST_TERMS, OWN_TERMS, Diffused, once_features, stretched
+from motes.models.multiple_scattering import LOST_TERMS, OWN_TERMS, Diffused, once_features
+from motes.models.slants import stretched
 
 Floats = NDArray[np.float64]
 N = 16  # cosines of the exact computation

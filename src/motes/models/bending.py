@@ -26,6 +26,7 @@ from motes.directions import Geometry
 from motes.equations import INV_PI
 from motes.models.components import Reflecting
 from motes.models.multiple_scattering import Diffused
+from motes.models.slants import Slant, inverses
 
 #: Found by comparison with photons, all at once, by ``tools/blur_fit.py``, which also says what each is.
 FITTED = {
@@ -65,31 +66,60 @@ class Below:
 
 
 @dataclass(frozen=True, eq=False)
+class Seen:
+    """A direction, and what the layer makes of light from there."""
+
+    slant: Slant
+    below: Below
+
+
+@dataclass(frozen=True, eq=False)
 class Bending:
     """The parts of the light in a layer that know where they came from."""
 
     layer: Diffused
 
-    def below(self, cos_theta: Array) -> Below:
-        """The shares of light from a direction."""
-        xp, f, g, layer = self.layer.xp, FITTED, self.forward, self.layer
-        straight, arriving = 1 - layer.hit(cos_theta), layer.arriving(cos_theta)
-        met = layer.w * self.depth / (cos_theta + f["horizon"])
-        several = met * (f["once"] + g * (f["once_g"] + g * f["once_g2"]) + met * (f["twice"] + f["twice_g"] * g))
-        once = arriving / (1 + several)
-        level = 1 + (f["level"] + f["level_g"] * (g - 0.7)) * (cos_theta - 0.7)
-        deep = 1 + f["deep"] * layer.w * self.depth / (cos_theta + 0.3)
-        again = (arriving - once) * xp.minimum((1 - f["bent"] * g * g) * level / deep, 1.0)
-        return Below(straight, arriving, once, again)
+    def below(self, *slants: Slant) -> list[Below]:
+        """The shares of light from a few directions, of one division."""
+        f, layer = FITTED, self.layer
+        wide = [slant.cosine + f["horizon"] for slant in slants]
+        less, several = self._several
+        first = [h * (h + less) + several for h in wide]
+        low = [slant.cosine + 0.3 for slant in slants]
+        deeper = f["deep"] * (layer.w * self.depth)
+        second = [m + deeper for m in low]
+        over = inverses(*first, *second)
+        found = []
+        for k, slant in enumerate(slants):
+            arriving = layer.arriving(slant)
+            once = arriving * (wide[k] * wide[k] * over[k])
+            level, tilt = self._level
+            share = (level + tilt * slant.cosine) * low[k] * over[len(slants) + k]
+            again = (arriving - once) * layer.xp.minimum(share, 1.0)
+            found.append(Below(layer.straight(slant), arriving, once, again))
+        return found
 
-    def scattered_once(self, geometry: Geometry, i: Below, r: Below) -> Array:
+    @cached_property
+    def _several(self) -> tuple[Array, Array]:
+        """Of light that arrives diffusely, 1 over the share scattered once is 1 + a/h + b/h^2 for the cosine and a constant, h."""
+        f, g, met = FITTED, self.forward, self.layer.w * self.depth
+        return met * (f["once"] + g * (f["once_g"] + g * f["once_g2"])), met * met * (f["twice"] + f["twice_g"] * g)
+
+    @cached_property
+    def _level(self) -> tuple[Array, Array]:
+        """Of the rest, how much is bent: a line in the cosine."""
+        f, g = FITTED, self.forward
+        share, tilt = 1 - f["bent"] * g * g, f["level"] + f["level_g"] * (g - 0.7)
+        return share * (1 - 0.7 * tilt), share * tilt
+
+    def scattered_once(self, i: Slant, r: Slant) -> Array:
         """w S: (1 - exp(-x))/x for the difference x of the depths is within 7 % a ratio that holds at both ends."""
-        xp, depth = self.layer.xp, self.depth
-        inverse_i, inverse_r = 1 / geometry.cos_theta_i, 1 / geometry.cos_theta_r
-        x = depth * (inverse_i - inverse_r)
+        xp, depth, layer = self.layer.xp, self.depth, self.layer
+        x = depth * (i.inverse - r.inverse)
         x = xp.maximum(x, -x)
         mean = (1 + x * (1 / 6)) / (1 + x * (2 / 3 + x * (1 / 6)))
-        return self.layer.w * (depth * (inverse_i * inverse_r)) * xp.maximum(i.straight, r.straight) * mean
+        straighter = xp.maximum(layer.straight(i), layer.straight(r))
+        return layer.w * depth * (i.inverse * r.inverse * straighter * mean)
 
     @cached_property
     def depth(self) -> Array:
@@ -138,43 +168,46 @@ class Highlight:
     spread: Array
     bending: Bending
 
-    def blurred(self, geometry: Geometry, i: Below, r: Below) -> Array:
+    def blurred(self, geometry: Geometry, i: Seen, r: Seen) -> Array:
         """The BRDF [1/sr] of bent light that has lost the shape of the highlight."""
         xp, f, bending = self.bending.layer.xp, FITTED, self.bending
-        mu_i, mu_r = geometry.cos_theta_i, geometry.cos_theta_r
-        a_i, a_r = self.term.reflected(xp, mu_i), self.term.reflected(xp, mu_r)
-        (own, own_2), (kept, kept_2), (bend, bend_2) = self.own, bending.kept, self._bends
-        once = bending.scattered_once(geometry, i, r) * (i.straight * a_i + r.straight * a_r)
+        a_i, a_r = self._reflected(i), self._reflected(r)
+        (own, own_2), (kept, kept_2) = self.own, bending.kept
+        once = bending.scattered_once(i.slant, r.slant) * (i.below.straight * a_i + r.below.straight * a_r)
         # 1/mu of the mirrored direction, the mean of both. It is bounded where one of them grazes and the lobe reaches far above it.
-        both = mu_i + mu_r
-        inverse = xp.minimum(both / (mu_i * mu_r), (4 * MOST_UNEVEN) / both)
-        level = (1 + f["steep"] * (mu_i * mu_r - 0.5)) * (0.25 * inverse)
+        both = i.slant.cosine + r.slant.cosine
+        inverse = xp.minimum(i.slant.inverse + r.slant.inverse, (4 * MOST_UNEVEN) / both)
+        level = (1 + f["steep"] * (i.slant.cosine * r.slant.cosine - 0.5)) * (0.25 * inverse)
         again = self._again(i, r) * (level * (a_i + a_r))
-        near, far = self._lobe(geometry, bend), self._lobe(geometry, bend_2)
-        return (1 - own) * kept * once * near + (1 - own_2) * kept_2 * again * far
+        near, far = self._lobes(geometry)
+        return (1 - own) * kept * (once * near) + (1 - own_2) * kept_2 * (again * far)
 
-    def sharp(self, geometry: Geometry, i: Below, r: Below) -> Array:
+    def sharp(self, i: Seen, r: Seen) -> Array:
         """The weight of the highlight's own shape in bent light."""
         own, own_2 = self.own
-        once = self.bending.scattered_once(geometry, i, r) * (i.straight + r.straight)
-        return own * once * (0.5 * (geometry.cos_theta_i + geometry.cos_theta_r)) + own_2 * self._again(i, r)
+        once = self.bending.scattered_once(i.slant, r.slant) * (i.below.straight + r.below.straight)
+        return own * (once * (0.5 * (i.slant.cosine + r.slant.cosine))) + own_2 * self._again(i, r)
 
-    def diffuse(self, geometry: Geometry, i: Below, r: Below) -> Array:
+    def diffuse(self, i: Seen, r: Seen) -> Array:
         """pi times the BRDF of light that this highlight reflects once and dust makes diffuse on its way in, or out, or both."""
-        xp, bending = self.bending.layer.xp, self.bending
-        lit_i, lit_r = (b.near * self.term.reflected(xp, mu) for b, mu in _both(geometry, i, r))
-        rest_i, rest_r = self.rest(i), self.rest(r)
+        bending = self.bending
+        lit_i, lit_r = (seen.below.near * self._reflected(seen) for seen in (i, r))
+        rest_i, rest_r = self.rest(i.below), self.rest(r.below)
         # Of a wide lobe more is met on its way out than of its middle.
         wide = 0.5 * FITTED["lost"] * (self.spread * self.spread) * bending.layer.w * bending.depth
-        more = [b.straight * (b.straight * self.term.reflected(xp, mu)) / mu for b, mu in _both(geometry, i, r)]
+        more = [
+            seen.below.straight * seen.below.straight * self._reflected(seen) * seen.slant.inverse for seen in (i, r)
+        ]
         spread_out = (lit_i + lit_r) * self._inverse_rest + self.mean_reflected
         return spread_out * (rest_i * rest_r) + wide * (more[0] + more[1])
 
-    def lit(self, cos_theta: Array, below: Below) -> Array:
+    def lit(self, seen: Seen) -> Array:
         """What this highlight sends up of light from a direction, after one reflection."""
-        return below.near * self.term.reflected(self.bending.layer.xp, cos_theta) + self.mean_reflected * self.rest(
-            below
-        )
+        return seen.below.near * self._reflected(seen) + self.mean_reflected * self.rest(seen.below)
+
+    def _reflected(self, seen: Seen) -> Array:
+        """The share of light from a direction that the facets reflect."""
+        return self.term.reflected(self.bending.layer.xp, seen.slant.cosine)
 
     def rest(self, below: Below) -> Array:
         """What arrives diffusely and counts as uniform."""
@@ -207,13 +240,15 @@ class Highlight:
         """1 over the mean of `rest` over uniform light."""
         total: Array = 0.0
         for node, weight in uniform(3):
-            total = total + self.rest(self.bending.below(node)) * weight
+            (below,) = self.bending.below(Slant.at(node))
+            total = total + self.rest(below) * weight
         return 1 / self.bending.layer.xp.maximum(total, LEAST)
 
-    def _again(self, i: Below, r: Below) -> Array:
+    def _again(self, i: Seen, r: Seen) -> Array:
         """The weight of what was bent more than once: again on one way, or on both."""
-        bent_i, bent_r = i.once + i.again, r.once + r.again
-        return i.straight * r.again + i.again * r.straight + bent_i * bent_r
+        of_i, of_r = i.below, r.below
+        bent_i, bent_r = of_i.once + of_i.again, of_r.once + of_r.again
+        return of_i.straight * of_r.again + of_i.again * of_r.straight + bent_i * bent_r
 
     @property
     def _width(self) -> Array:
@@ -225,21 +260,28 @@ class Highlight:
         scale = FITTED["bend"] / (1 + FITTED["narrower"] * self.spread)
         return scale * self.bending.widths[0], scale * self.bending.widths[1]
 
-    def _lobe(self, geometry: Geometry, bend: Array) -> Array:
-        """k; both angles are computed from squares of sums, so that nothing cancels about the mirrored direction."""
+    def _lobes(self, geometry: Geometry) -> tuple[Array, Array]:
+        """k for light bent once and more often; both angles are computed from squares of sums, so that nothing cancels about the mirrored direction.
+
+        Numerators and denominators are multiplied out: two lobes then have one division.
+        """
         width, cosine = self._width, geometry.cos_theta_d
-        along, across = width + bend, width * cosine + bend
-        inverse = 1 / (along * across)
-        tilt = geometry.sin_theta_h * geometry.sin_theta_h
-        turned = width * (along + across) * (cosine * cosine) * (inverse * inverse) / (1 + cosine)
-        even = (across * inverse) * (across * inverse) - turned
+        tilt = 4 * (geometry.sin_theta_h * geometry.sin_theta_h)
         rise = geometry.cos_theta_i - geometry.cos_theta_r
-        fall = 1 + even * (4 * tilt * (cosine * cosine) + rise * rise) + turned * (4 * tilt)
-        return INV_PI * (0.25 + inverse) / (fall * fall)
-
-
-def _both(geometry: Geometry, i: Below, r: Below) -> tuple[tuple[Below, Array], tuple[Below, Array]]:
-    return (i, geometry.cos_theta_i), (r, geometry.cos_theta_r)
+        squared = cosine * cosine
+        even = tilt * squared + rise * rise
+        turned = squared * (tilt - even)
+        parts = []
+        for bend in self._bends:
+            along, across = width + bend, width * cosine + bend
+            inverse, area = 1 / along, across * across
+            scale = area * (1 + cosine)
+            height = (0.25 * across + inverse) * (area * across) * ((1 + cosine) * (1 + cosine))
+            fall = scale * (1 + (inverse * inverse) * even) + (width * inverse * inverse) * ((along + across) * turned)
+            parts.append((fall, height))
+        (near, near_height), (far, far_height) = parts
+        near_inverse, far_inverse = inverses(near * near, far * far)
+        return INV_PI * near_height * near_inverse, INV_PI * far_height * far_inverse
 
 
 def mean_reflected(term: Reflecting, xp: Array) -> Array:

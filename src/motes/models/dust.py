@@ -28,6 +28,7 @@ from motes.models.ggx import VisibleGGXLobe
 from motes.models.lobes import CosineLobe, PhaseLobe, Reflection
 from motes.models.multiple_scattering import INFINITE, LEAST_G, MOST_G, Diffused
 from motes.models.naming import register
+from motes.models.slants import Slant
 from motes.models.standard import DIFFUSIVITY, MEAN_COSINE, StandardLobe
 from motes.parameters import Parameter, Place, Role, option, parameter, part
 
@@ -135,7 +136,9 @@ class Dust(BRDF):
 
     def formula(self, xp: Array, geometry: Geometry) -> Array:
         once = self.scattered_once(xp, geometry)
-        return once if self.scattering == SINGLE else once + self._deep(xp).higher_orders(geometry)
+        return (
+            once if self.scattering == SINGLE else once + self._deep(xp).higher_orders(geometry, *Slant.pair(geometry))
+        )
 
     def scattered_once(self, xp: Array, geometry: Geometry) -> Array:
         """The BRDF [1/sr] of light scattered once by a bed without an end."""
@@ -149,7 +152,8 @@ class Dust(BRDF):
         if self.scattering == SINGLE:
             return [once]
         deep = self._deep(xp)
-        more = Component(lambda _, geometry: deep.higher_orders(geometry), CosineLobe(), deep.escaping(cos_theta_i))
+        share = deep.escaping(Slant.of(xp, cos_theta_i))
+        more = Component(lambda _, seen: deep.higher_orders(seen, *Slant.pair(seen)), CosineLobe(), share)
         return [once, more]
 
     def _deep(self, xp: Array) -> Diffused:
@@ -227,8 +231,8 @@ class DustLayer(BRDF):
         return self.base.reciprocal
 
     def formula(self, xp: Array, geometry: Geometry) -> Array:
-        depth = equations.slant_depth(xp, geometry.cos_theta_i, geometry.cos_theta_r, self.tau)
-        once = equations.dust_layer(xp, self.base.formula(xp, geometry), self.dust.scattered_once(xp, geometry), depth)
+        base, dust = self.base.formula(xp, geometry), self.dust.scattered_once(xp, geometry)
+        once = self._layered(xp, geometry, base, dust)
         if self.scattering == SINGLE:
             return once
         exchange = self.exchange(xp)
@@ -237,6 +241,13 @@ class DustLayer(BRDF):
             total = total + exchange.sharp(highlight, geometry) * term.formula(xp, geometry)
             total = total + exchange.blurred(highlight, geometry)
         return total
+
+    def _layered(self, xp: Array, geometry: Geometry, base: Array, dust: Array) -> Array:
+        """A base seen through the layer, and dust in it."""
+        if self.scattering == MULTIPLE:
+            return self.exchange(xp).layered(base, dust, geometry)
+        depth = equations.slant_depth(xp, geometry.cos_theta_i, geometry.cos_theta_r, self.tau)
+        return equations.dust_layer(xp, base, dust, depth)
 
     def _highlights(self, exchange: Exchange) -> list[tuple[Highlight, BRDF]]:
         """The highlights of the base under several scatterings, each with the term that it is."""
@@ -298,9 +309,8 @@ class DustLayer(BRDF):
         """The formula of a part of the base seen through the layer (own = 0), or of the dust in the layer (own = 1)."""
 
         def formula(xp: Array, geometry: Geometry) -> Array:
-            depth = equations.slant_depth(xp, geometry.cos_theta_i, geometry.cos_theta_r, self.tau)
             value = part.formula(xp, geometry)
-            return equations.dust_layer(xp, (1 - own) * value, own * value, depth)
+            return self._layered(xp, geometry, (1 - own) * value, own * value)
 
         return formula
 

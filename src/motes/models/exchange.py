@@ -8,9 +8,10 @@ from functools import cached_property
 from motes.arrays import Array
 from motes.directions import Geometry
 from motes.equations import INV_PI
-from motes.models.bending import Below, Bending, Highlight, mean_reflected
+from motes.models.bending import Bending, Highlight, Seen, mean_reflected
 from motes.models.components import Reflecting
 from motes.models.multiple_scattering import Diffused
+from motes.models.slants import Slant
 
 # A base that reflects more than it receives, under a layer that gives back nearly all, would multiply light without end.
 LEAST_LOSS = 1e-3
@@ -31,19 +32,24 @@ class Exchange:
 
     def formula(self, xp: Array, geometry: Geometry) -> Array:
         """The BRDF [1/sr] of all that has lost its direction, by scattering or by the diffuse terms."""
-        layer, mu_i, mu_r = self.layer, geometry.cos_theta_i, geometry.cos_theta_r
-        straight_i, straight_r = 1 - layer.hit(mu_i), 1 - layer.hit(mu_r)
-        diffuse_i, diffuse_r = layer.arriving(mu_i), layer.arriving(mu_r)
-        lit_i, lit_r = straight_i * self._reflected(mu_i), straight_r * self._reflected(mu_r)
-        once = lit_i * diffuse_r + lit_r * diffuse_i + self._mean * diffuse_i * diffuse_r
+        layer, (i, r) = self.layer, Slant.pair(geometry)
+        diffuse_i, diffuse_r = layer.arriving(i), layer.arriving(r)
+        lit_i, lit_r = (layer.straight(slant) * self._reflected(slant.cosine) for slant in (i, r))
+        once = lit_i * diffuse_r + lit_r * diffuse_i + self._mean * (diffuse_i * diffuse_r)
         up_i, up_r = lit_i + self._mean * diffuse_i, lit_r + self._mean * diffuse_r
         if self.highlights:
-            i, r = self._bending.below(mu_i), self._bending.below(mu_r)
+            seen_i, seen_r = self._pair(geometry)
             for highlight in self.highlights:
-                once = once + highlight.diffuse(geometry, i, r)
-                up_i, up_r = up_i + highlight.lit(mu_i, i), up_r + highlight.lit(mu_r, r)
+                once = once + highlight.diffuse(seen_i, seen_r)
+                up_i, up_r = up_i + highlight.lit(seen_i), up_r + highlight.lit(seen_r)
         exchanged = once + layer.mean_returned * self._multiplied * (up_i * up_r)
-        return layer.higher_orders(geometry) + exchanged * INV_PI
+        return layer.higher_orders(geometry, i, r) + exchanged * INV_PI
+
+    def layered(self, base: Array, dust: Array, geometry: Geometry) -> Array:
+        """`motes.equations.dust_layer` of the exponentials that stand here already: a base and a bed of dust without an end, as seen."""
+        layer, (i, r) = self.layer, Slant.pair(geometry)
+        hit_i, hit_r = layer.hit(i), layer.hit(r)
+        return layer.straight(i) * layer.straight(r) * base + (hit_i + hit_r - hit_i * hit_r) * dust
 
     def blurred(self, highlight: Highlight, geometry: Geometry) -> Array:
         """The BRDF [1/sr] of bent light about a highlight, but for what has the highlight's own shape."""
@@ -51,23 +57,25 @@ class Exchange:
 
     def sharp(self, highlight: Highlight, geometry: Geometry) -> Array:
         """The weight of the own shape of a highlight in bent light."""
-        return highlight.sharp(geometry, *self._pair(geometry))
+        return highlight.sharp(*self._pair(geometry))
 
-    def _pair(self, geometry: Geometry) -> tuple[Below, Below]:
-        return self._bending.below(geometry.cos_theta_i), self._bending.below(geometry.cos_theta_r)
+    def _pair(self, geometry: Geometry) -> tuple[Seen, Seen]:
+        slants = Slant.pair(geometry)
+        i, r = map(Seen, slants, self._bending.below(*slants))
+        return i, r
 
     def importance(self, cos_theta_i: Array) -> Array:
         """About the share of light that `formula` is."""
-        layer = self.layer
-        below = (1 - layer.hit(cos_theta_i)) * layer.mean_returned + layer.arriving(cos_theta_i)
+        layer, slant = self.layer, Slant.of(self.layer.xp, cos_theta_i)
+        below = layer.straight(slant) * layer.mean_returned + layer.arriving(slant)
         share = below * self.mean_reflected * self._multiplied * layer.mean_arriving
         for highlight in self.highlights:
             share = layer.xp.maximum(share - self.bent(highlight, cos_theta_i), 0.0)
-        return layer.escaping(cos_theta_i) + share
+        return layer.escaping(slant) + share
 
     def bent(self, highlight: Highlight, cos_theta_i: Array) -> Array:
         """About the share of light that is bent about a highlight."""
-        below = self._bending.below(cos_theta_i)
+        (below,) = self._bending.below(Slant.of(self.layer.xp, cos_theta_i))
         near = below.near * below.near - below.straight * below.straight
         return near * highlight.term.reflected(self.layer.xp, cos_theta_i)
 

@@ -39,9 +39,10 @@ from typing import Any
 
 import numpy as np
 
-from motes.arrays import NUMPY, Array
+from motes.arrays import Array
 from motes.directions import Geometry
 from motes.equations import INV_PI
+from motes.models.slants import Slant
 
 #: The optical thickness that stands for a half space, beyond which nothing changes.
 INFINITE = 1e30
@@ -52,9 +53,6 @@ LEAST_DECAY = 1e-5
 # Less light than this leaves after several scatterings where there is no dust, or black dust.
 LEAST_ESCAPING = 1e-30
 ROOT_3 = math.sqrt(3.0)
-#: Of v: found by what seven terms err in S, E and t.
-BEND = 0.7
-STRETCH = 2 * math.sqrt(1 + BEND)
 #: How many numbers of the network are for E, for t and for n.
 OWN_TERMS, LOST_TERMS = 6, 4
 #: A of the azimuth: the m-th of its waves is A rho^m, as adding and doubling has it within a few hundredths for g up to 0.85.
@@ -68,11 +66,6 @@ def _numbers() -> dict[str, Any]:
     text = resources.files("motes.models").joinpath("data/multiple_scattering.json").read_text("utf-8")
     numbers: dict[str, Any] = json.loads(text)
     return numbers
-
-
-def stretched(xp: Array, cos_theta: Array) -> Array:
-    """v, 1 at the vertical and -1 at the horizon, near which all functions of the cosine bend as mu log(mu) does."""
-    return STRETCH * xp.sqrt(cos_theta / (cos_theta + BEND)) - 1
 
 
 def polynomial(coefficients: list[Array], x: Array) -> Array:
@@ -102,32 +95,59 @@ class Diffused:
 
     # ------------------------------------------------------------ functions of the cosine
 
-    def hit(self, cos_theta: Array) -> Array:
+    def straight(self, slant: Slant) -> Array:
+        """The share 1 - x of light that meets no particle on its way through."""
+        return self.xp.exp(-self.tau * slant.inverse)
+
+    def hit(self, slant: Slant) -> Array:
         """The share x of light that meets a particle on its way through."""
-        return -self.xp.expm1(-self.tau / cos_theta)
+        return -self.xp.expm1(-self.tau * slant.inverse)
 
-    def escaping(self, cos_theta: Array) -> Array:
+    def escaping(self, slant: Slant) -> Array:
         """The share E of light that leaves above after two or more scatterings."""
-        return self.hit(cos_theta) * self.xp.maximum(polynomial(self._fitted[0], stretched(self.xp, cos_theta)), 0.0)
+        return self.hit(slant) * self.xp.maximum(polynomial(self._fitted[0], slant.v), 0.0)
 
-    def arriving(self, cos_theta: Array) -> Array:
+    def arriving(self, slant: Slant) -> Array:
         """The share of light that arrives below diffusely, t less what comes straight through."""
-        return self.hit(cos_theta) * self.xp.maximum(polynomial(self._fitted[1], stretched(self.xp, cos_theta)), 0.0)
+        return self.hit(slant) * self.xp.maximum(polynomial(self._fitted[1], slant.v), 0.0)
 
-    def higher_orders(self, geometry: Geometry) -> Array:
-        """The BRDF of two and more scatterings [1/sr]."""
-        _, _, _, (c11, c12, c22), (d0, d1, d2) = self._fitted
-        first, second = self._means
-        i, r = stretched(self.xp, geometry.cos_theta_i), stretched(self.xp, geometry.cos_theta_r)
-        i1, r1, i2, r2 = i - first, r - first, i * i - second, r * r - second
-        around = self.xp.maximum(1 + c11 * i1 * r1 + c12 * (i1 * r2 + i2 * r1) + c22 * i2 * r2, LEAST_AROUND)
-        wave = geometry.sin_theta_i * geometry.sin_theta_r * (d0 + d1 * (i + r) + d2 * (i * r)) / (ONWARD * around)
-        rho = self.xp.maximum(self.xp.minimum(wave, MOST_ONWARD), -MOST_ONWARD)
+    def higher_orders(self, geometry: Geometry, i: Slant, r: Slant) -> Array:
+        """The BRDF of two and more scatterings [1/sr]; `i` and `r` are the slants of the geometry.
+
+        All in terms of A C and of A C rho: so there is one division.
+        """
+        xp, (root, around, (d0, d1, d2)) = self.xp, self._pairing
+        both, product = i.v + r.v, i.v * r.v
+        mean = around[0] + both * (around[1] + around[3] * both + around[4] * product)
+        mean = xp.maximum(mean + product * (around[2] + around[5] * product), ONWARD * LEAST_AROUND)
+        wave = geometry.sin_theta_i * geometry.sin_theta_r * (d0 + d1 * both + d2 * product)
+        most = MOST_ONWARD * mean
+        wave = xp.maximum(xp.minimum(wave, most), -most)
         # geometry.cos_dphi is 1 towards the light: light that goes on has -1 there.
-        across = -geometry.cos_dphi
-        onward = 2 * rho * (across - rho) / (1 + rho * (rho - 2 * across))
-        escaping = self.escaping(geometry.cos_theta_i) * self.escaping(geometry.cos_theta_r)
-        return escaping * (INV_PI / self.mean_escaping) * around * self.xp.maximum(1 + ONWARD * onward, 0.0)
+        across = -geometry.cos_dphi * mean
+        onward = wave * (across - wave) / (mean * mean + wave * (wave - 2 * across))
+        e_i, e_r = (self.hit(s) * xp.maximum(polynomial(root, s.v), 0.0) for s in (i, r))
+        return e_i * e_r * (mean * xp.maximum(1 + (2 * ONWARD) * onward, 0.0))
+
+    @cached_property
+    def _pairing(self) -> tuple[list[Array], list[Array], list[Array]]:
+        """Of `higher_orders`: e_k / sqrt(pi A mean E); A C in powers of v_i + v_r and v_i v_r; and d.
+
+        A C is multiplied out: two slants then have it in six terms, of which channels share all but the coefficients.
+        """
+        escaping, _, _, (c11, c12, c22), wave = self._fitted
+        first, second = self._means
+        squares = -(c12 * first + c22 * second)
+        around = [
+            1 + c11 * (first * first) + c12 * (2 * first * second) + c22 * (second * second),
+            -(c11 * first + c12 * second),
+            c11 - 2 * squares,
+            squares,
+            c12,
+            c22,
+        ]
+        root = self.xp.sqrt((INV_PI / ONWARD) / self.mean_escaping)
+        return [root * e for e in escaping], [ONWARD * a for a in around], wave
 
     # ------------------------------------------------------------ means over uniform light
 
@@ -171,12 +191,11 @@ class Diffused:
         nodes, weights = 0.5 * (nodes + 1), 0.5 * weights
         moments: list[Array] = [0.0] * (len(self._fitted[0]) + 2)
         for node, weight in zip(nodes.tolist(), weights.tolist(), strict=True):
-            mu = node * node
-            v = float(stretched(NUMPY, mu))
-            part = self.hit(mu) * (4 * weight * node * mu)
+            slant = Slant.at(node * node)
+            part = self.hit(slant) * (4 * weight * node * slant.cosine)
             for k in range(len(moments)):
                 moments[k] = moments[k] + part
-                part = part * v
+                part = part * slant.v
         return moments
 
     # ------------------------------------------------------------ what was fitted
