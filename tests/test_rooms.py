@@ -38,6 +38,15 @@ def test_a_name_is_one_thing(rooms: ModuleType) -> None:
     assert rooms.shared_names(ROOT / "src" / "motes") == {}
 
 
+def test_sizes_count_what_runs(rooms: ModuleType, tmp_path: Path) -> None:
+    text = '"""About."""\n\n# why\nx = 1  # one\n\n\ndef f():\n    """Idea.\n\n    More.\n    """\n    return """a\n\nb"""\n'
+    assert rooms.code_lines(text) == 5  # x, def, and a text of three lines that is no docstring
+    package(tmp_path, "kitchen", a=text, sink__b=text)
+    found = rooms.sizes(tmp_path)
+    assert found["kitchen/sink"][:2] == (2, 14)
+    assert found["kitchen"] == (4, 28, 10)
+
+
 def package(folder: Path, name: str, **files: str) -> None:
     """A package with these files; a slash is written as two underscores."""
     for file, text in {"__init__": "", **files}.items():

@@ -1,4 +1,4 @@
-"""Circles among files, names that two files share, long files: ``python tools/rooms.py`` prints them; exit status 1 for the first two.
+"""Circles among files, names that two files share, long files, sizes of rooms: ``python tools/rooms.py`` prints them; exit status 1 for the first two.
 
 import-linter checks that *rooms* import one way.  This looks inside the rooms too, and counts every import statement: at the top of a file,
 inside a function, or for type checkers alone.  A file can be read alone only where none of what it needs, needs it.
@@ -10,7 +10,10 @@ front's list of homes, the export targets) are not seen: they are there to be lo
 
 from __future__ import annotations
 
+import ast
+import io
 import sys
+import tokenize
 from collections import Counter, defaultdict
 from collections.abc import Collection
 from pathlib import Path
@@ -20,6 +23,14 @@ import grimp
 import networkx
 
 LONG = 400  # lines
+_NO_CODE = {
+    tokenize.COMMENT,
+    tokenize.NL,
+    tokenize.NEWLINE,
+    tokenize.INDENT,
+    tokenize.DEDENT,
+    tokenize.ENDMARKER,
+}
 # A language is printed by one file and exported to by another: two sides of one thing, under its name.
 LANGUAGES = frozenset({"c", "glsl", "hlsl", "osl", "wgsl"})
 
@@ -73,6 +84,29 @@ def long_files(folder: Path, limit: int = LONG) -> dict[str, int]:
     return {path: n for path, n in lines.most_common() if n > limit}
 
 
+def code_lines(text: str) -> int:
+    """Lines of Python that hold more than comments and docstrings."""
+    ends: set[int] = set()
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef) and ast.get_docstring(node) is not None:
+            ends |= set(range(node.body[0].lineno, (node.body[0].end_lineno or 0) + 1))
+    held: set[int] = set()
+    for token in tokenize.generate_tokens(io.StringIO(text).readline):
+        if token.type not in _NO_CODE:
+            held |= set(range(token.start[0], token.end[0] + 1))
+    return len(held - ends)
+
+
+def sizes(folder: Path) -> dict[str, tuple[int, int, int]]:
+    """Of each folder of files, those of the folders in it included: files, lines, lines of code."""
+    found = {}
+    for room in sorted(path for path in folder.rglob("*") if path.is_dir() and any(path.glob("*.py"))):
+        texts = [path.read_text("utf-8") for path in room.rglob("*.py")]
+        lines = sum(len(text.splitlines()) for text in texts)
+        found[str(room.relative_to(folder))] = (len(texts), lines, sum(map(code_lines, texts)))
+    return found
+
+
 def main() -> int:
     folder = Path(__file__).resolve().parents[1] / "src" / "motes"
     sys.path.insert(0, str(folder.parent))
@@ -82,6 +116,8 @@ def main() -> int:
     print(*(f"  {name}: {', '.join(paths)}" for name, paths in doubles.items()), sep="\n", end="\n" if doubles else "")
     print(f"files of more than {LONG} lines: {len(long)}")
     print(*(f"  {n} {path}" for path, n in long.items()), sep="\n", end="\n" if long else "")
+    print("rooms: files, lines, lines of code")
+    print(*(f"  {room}: {n}, {lines:,}, {code:,}" for room, (n, lines, code) in sizes(folder).items()), sep="\n")
     return 1 if rounds or doubles else 0
 
 
