@@ -18,6 +18,7 @@ from motes.material import Material
 from motes.models import Lambert
 from motes.viewer import view
 from motes.viewer.page import asset, safe_json
+from viewer_scenes import dusty_square, radiance_hdr
 from viewer_support import ROCK, SOURCES, Viewed, browser, driver, drying, measured
 
 pytestmark = pytest.mark.slow
@@ -138,7 +139,7 @@ def test_the_scene(chrome: Any, rock: Path) -> None:
             slider.press("PageUp")
             assert viewed.state(key) > old
             changes(label)
-        for label, key in (("Lobe in the corner", "lobe"), ("Surroundings behind", "backdrop")):
+        for label, key in (("Lobe in the corner", "lobe"), ("Ground", "ground"), ("Surroundings behind", "backdrop")):
             old = viewed.state(key)
             page.get_by_label(label).click()
             assert viewed.state(key) is not old
@@ -344,7 +345,14 @@ def test_bad_files_are_refused_with_a_sentence(chrome: Any, rock: Path) -> None:
         ("a.ply", b"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n", "has no faces"),
         ("a.glb", b"glTF", "is not a GLB file"),
         ("a.glb", glb(np.eye(3), [0, 1, 2])[:-8], "is cut short"),
-        ("a.exe", "MZ", "is neither a material, a table nor a mesh"),
+        ("a.ply", dusty_square(tau=-1.0), "tau = -1, which is no optical thickness"),
+        ("a.hdr", "P6", "has no head of a Radiance picture"),
+        ("a.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 999999 +X 1999998\n", "claims 1999998 x 999999 pixels"),
+        ("a.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 4\n" + 64 * "a", "twice as wide as high"),
+        ("a.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 64 +X 128\n", "breaks off within its pixels"),
+        ("a.hdr", radiance_hdr(np.zeros((4, 8, 3))), "a.hdr is black"),
+        ("a.exr", b"v/1\x01" + 40 * b"x", "has no head of an OpenEXR picture"),
+        ("a.exe", "MZ", "is neither a material, a table, a mesh nor a sky"),
     ]  # fmt: skip
     with Viewed(chrome, rock) as viewed:
         viewed.settled()

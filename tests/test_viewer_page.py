@@ -165,6 +165,10 @@ def test_the_meshes_are_those_of_the_rendering_room() -> None:
         positions = unpacked(view_["positions"], "<u2").reshape(-1, 3) / 65535 * (high - low) + low
         np.testing.assert_allclose(positions, mesh.positions, atol=3e-5)
         np.testing.assert_allclose(unpacked(view_["normals"], "<i2").reshape(-1, 3) / 32767, mesh.normals, atol=2e-5)
+        # No cracks: what is one point in the mesh, but for the last bits, is one on the page.
+        steps = unpacked(view_["positions"], "<u2").reshape(-1, 3)
+        _, which = np.unique(np.round(mesh.positions, 9), axis=0, return_inverse=True)
+        assert len(np.unique(np.column_stack([which.ravel(), steps]), axis=0)) == which.max() + 1
         np.testing.assert_array_equal(unpacked(view_["triangles"], "<u2").reshape(-1, 3), mesh.triangles)
 
 
@@ -253,7 +257,9 @@ def test_motes_view_of_a_material(tmp_path: Path, capsys: pytest.CaptureFixture[
     assert [m["json"]["name"] for m in data_of(out.read_text())["materials"]] == ["rock", "plaster"]
 
 
-def test_motes_view_of_a_fit_finds_its_data(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_motes_view_of_a_fit_finds_its_data(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
     theta = np.arange(-70, 71, 5)
     rows = [f"{i},0,{abs(t)},{180 if t > 0 else 0},{0.3 + 0.1 * np.cos(t / 50):.4f}" for i in (20, 50) for t in theta]
     table = tmp_path / "table.csv"
@@ -265,6 +271,16 @@ def test_motes_view_of_a_fit_finds_its_data(tmp_path: Path, capsys: pytest.Captu
     assert run("view", table, "-m", "lambert", "-o", out, "--json") == 0
     assert json.loads(capsys.readouterr().out)["points"] == len(rows)
     assert str(tmp_path) not in out.read_text()  # a page is handed on
+    # A relative path is found again from another folder, and other bytes of the same name are not taken for it.
+    elsewhere = tmp_path / "a" / "b"
+    elsewhere.mkdir(parents=True)
+    monkeypatch.chdir(tmp_path)
+    assert run("fit", "table.csv", "-m", "lambert", "-o", "near", "--quiet") in (0, 1)
+    (elsewhere / "table.csv").write_text(table.read_text().replace("0.3", "0.4"))
+    monkeypatch.chdir(elsewhere)
+    assert run("view", tmp_path / "near", "-o", out, "--json") == 0
+    assert json.loads(capsys.readouterr().out)["points"] == len(rows)
+    monkeypatch.chdir(tmp_path)
     table.unlink()
     assert run("view", tmp_path / "fit", "-o", out) == 0
     text = capsys.readouterr().out

@@ -2,7 +2,7 @@
 
 import { Agreement } from './agreement';
 import { button, section } from './controls';
-import { h } from './dom';
+import { h, tidy } from './dom';
 import { accept, fileButton } from './drop';
 import { radianceMap } from './environment';
 import { declare } from './expression';
@@ -133,7 +133,7 @@ export class App {
 
   /** Radiance of an environment, a map of 64 x 128 cells: linear sRGB by polar angle (from y up) and azimuth. */
   environment(name: string): Float32Array {
-    return radianceMap(name);
+    return name === 'own' ? this.picture.own ?? radianceMap('none') : radianceMap(name);
   }
 
   get relativeRms(): number {
@@ -161,9 +161,22 @@ export class App {
   }
 
   async openMesh(name: string, data: ArrayBuffer): Promise<void> {
-    const triangles = await this.meshes.add(name, data);
-    this.messages.say(`${name} is shown: ${triangles.toLocaleString('en')} triangles`);
-    this.store.change({ shape: name });
+    const { triangles, tau } = await this.meshes.add(name, data, this.store.state.up);
+    const { active } = this.store.state;
+    const slot = this.pair.active(this.store.state).tau;
+    const dusty = !tau ? '' : slot ? `. Its own dust lies on it, tau up to ${tidy(tau)}, which the slider scales` : `. Its own dust, tau up to ${tidy(tau)}, is not shown: the material has no layer of dust`;
+    this.messages.say(`${name} is shown: ${triangles.toLocaleString('en')} triangles${dusty}`);
+    this.store.change({ shape: name, ...(tau && slot ? { dust: true } : {}) });
+    if (tau && slot) this.store.hold(active, slot, [tau]);
+    this.followAll();
+  }
+
+  /** Light from all around out of a file. */
+  openSky(name: string, map: Float32Array): void {
+    this.picture.setOwn(map);
+    this.settings.skyName = name;
+    this.messages.say(`${name} lights the scene, as 64 x 128 cells`);
+    this.store.change({ environment: 'own' });
     this.followAll();
   }
 
@@ -188,8 +201,9 @@ export class App {
   // ---------------------------------------------------------------- construction
 
   private build(): void {
-    const openFile = fileButton('Open file…', '.json,.csv,.txt,.obj,.ply,.glb', this, false);
+    const openFile = fileButton('Open file…', '.json,.csv,.txt,.obj,.ply,.glb,.hdr,.exr', this, false);
     const takeaway = takeawaySection(this.store, this.start, this.pair, this.canvas, this.messages, this.host.link ? () => this.link() : null, openFile);
+    for (const each of [this.settings.scene, this.settings.compare, takeaway]) each.classList.add('motes-controls');
     this.root.replaceChildren(
       h('header', { class: 'motes-head' }, this.title, this.subtitle, ...this.payload.notes.map((note) => h('p', { class: 'motes-note' }, note))),
       h('div', { class: 'motes-view' }, this.stage, this.transport.element, this.messages.element),
@@ -242,13 +256,13 @@ export class App {
       this.store.change({ compare: 'one', active: 0 });
       return;
     }
-    if (changed.has('shape') || changed.has('dropped')) this.picture.setGeometry(this.meshes.get(state.shape));
+    if (changed.has('shape') || changed.has('dropped') || changed.has('up')) this.picture.setGeometry(this.meshes.get(state.shape, state.up));
     if (['dropped', 'compare', 'active'].some((key) => changed.has(key as keyof State))) this.picture.setMaterials(this.pair.shown(state));
     this.settings.follow(state);
     this.words(state);
     const cosmetic = [...changed].every((key) => ['exposure', 'tone', 'incidence', 'lobe', 'radius', 'scale', 'active'].includes(key));
     if (!cosmetic) this.picture.restart();
-    const scene = new Set<keyof State>(['azimuth', 'elevation', 'distance', 'lampAzimuth', 'lampElevation', 'lamp', 'environment', 'sky', 'exposure', 'tone', 'split', 'dust', 'backdrop', 'shape']);
+    const scene = new Set<keyof State>(['azimuth', 'elevation', 'distance', 'lampAzimuth', 'lampElevation', 'lamp', 'environment', 'sky', 'exposure', 'tone', 'split', 'dust', 'backdrop', 'ground', 'up', 'shape']);
     if (![...changed].every((key) => scene.has(key))) this.plotsDue = true;
     this.host.changed?.(state);
     this.request();
@@ -284,6 +298,7 @@ export class App {
     this.transport.advance(now, this.store.state.hours);
     const { state } = this.store;
     const ratio = Math.min(devicePixelRatio || 1, LARGEST_RATIO);
+    this.stage.style.setProperty('--aspect', String(this.stage.clientWidth / Math.max(this.stage.clientHeight, 1)));
     this.picture.resize(this.stage.clientWidth, this.stage.clientHeight, ratio);
     if (this.plotsDue && this.firstPicture) this.plots(state);
     this.lobe.visible = state.lobe && this.firstPicture > 0;

@@ -7,6 +7,7 @@ import { fromCsv, type Measurement } from './measurement';
 import { SUFFIXES } from './meshfiles';
 import type { Messages } from './messages';
 import { Problem } from './problem';
+import { readSky, SKY_SUFFIXES } from './skyfile';
 
 const LARGEST_TEXT = 256 * 2 ** 20;
 
@@ -16,6 +17,7 @@ export interface Taker {
   openMaterial(json: unknown, second: boolean): void;
   openData(data: Measurement): void;
   openMesh(name: string, data: ArrayBuffer): Promise<void>;
+  openSky(name: string, map: Float32Array): void;
 }
 
 /** A file of the user's. */
@@ -26,7 +28,11 @@ export async function open(file: File, taker: Taker, second = false): Promise<vo
     await taker.openMesh(file.name, await file.arrayBuffer());
     return;
   }
-  if (!['.json', '.csv', '.txt', '.tsv', '.dat'].includes(suffix)) throw new Problem(`${file.name} is neither a material, a table nor a mesh`, 'Drop a .json, .csv, .obj, .ply or .glb file');
+  if (SKY_SUFFIXES.includes(suffix)) {
+    taker.openSky(file.name, readSky(file.name, await file.arrayBuffer()));
+    return;
+  }
+  if (!['.json', '.csv', '.txt', '.tsv', '.dat'].includes(suffix)) throw new Problem(`${file.name} is neither a material, a table, a mesh nor a sky`, 'Drop a .json, .csv, .obj, .ply, .glb, .hdr or .exr file');
   if (file.size > LARGEST_TEXT) throw new Problem(`${file.name} has ${Math.round(file.size / 2 ** 20)} MiB, more than ${LARGEST_TEXT / 2 ** 20}`, 'motes view DATA thins any measurement');
   const text = decoded(await file.arrayBuffer());
   if (suffix === '.json') taker.openMaterial(parsed(file.name, text), second);

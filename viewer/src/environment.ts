@@ -77,6 +77,18 @@ function studio(w: Color): Color {
 
 const luminance = (map: Float32Array, at: number): number => 0.2126 * map[3 * at]! + 0.7152 * map[3 * at + 1]! + 0.0722 * map[3 * at + 2]!;
 
+/** The radiance of a white diffuser that faces up under a map. */
+export function upward(map: Float32Array): number {
+  let sum = 0;
+  for (let row = 0; row < HEIGHT / 2; row += 1) {
+    const [top, bottom] = [Math.cos((Math.PI * row) / HEIGHT), Math.cos((Math.PI * (row + 1)) / HEIGHT)];
+    // The integral of the cosine over the cell, over pi.
+    const weight = (top * top - bottom * bottom) / WIDTH;
+    for (let column = 0; column < WIDTH; column += 1) sum += weight * luminance(map, row * WIDTH + column);
+  }
+  return sum;
+}
+
 function mean(map: Float32Array): number {
   let sum = 0;
   for (let at = 0; at < WIDTH * HEIGHT; at += 1) sum += luminance(map, at) * Math.sin((Math.PI * (Math.floor(at / WIDTH) + 0.5)) / HEIGHT);

@@ -3,7 +3,9 @@
 // PLY and GLB go through three's loaders.  OBJ does not: three's makes six vertices of one, gives every face a normal of its own, and turns a mistake into
 // NaN without saying where.
 
+import type { BufferGeometry } from 'three';
 import { PLYLoader } from 'three/examples/jsm/loaders/PLYLoader.js';
+import { mergeVertices } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 import { glb } from './gltf';
 import { Problem, quoted } from './problem';
 import type { Triangles } from './shapes';
@@ -152,10 +154,21 @@ function ply(name: string, data: ArrayBuffer): Triangles {
     if (!(Number(count) <= data.byteLength)) throw new Problem(`${name} claims ${quoted(count)} of ${quoted(what)}, more than its ${data.byteLength} bytes hold`, 'The file is damaged');
   }
   wholeIndices(name, header, data);
-  const geometry = new PLYLoader().parse(data);
+  const loader = new PLYLoader();
+  const dusty = /^\s*property\s+\w+\s+tau\s*$/m.test((/element\s+vertex\b[^]*?(?=^\s*element\b|$(?![^]))/m.exec(header) ?? [''])[0]);
+  if (dusty) loader.setCustomPropertyNameMapping({ tau: ['tau'] });
+  let geometry: BufferGeometry = loader.parse(data);
+  if (!geometry.getIndex() && /^\s*element\s+face\s+0*[1-9]/m.test(header) && (geometry.getAttribute('color') || geometry.getAttribute('uv'))) geometry = joined(geometry);
   const positions = geometry.getAttribute('position')?.array;
   const index = geometry.getIndex()?.array;
   if (!positions || !index) throw new Problem(`${name} has no faces`, 'Export the mesh with its faces; clouds of points cannot be shaded');
   const normals = geometry.getAttribute('normal')?.array;
-  return { name, positions: Float32Array.from(positions), normals: normals ? Float32Array.from(normals) : null, indices: Uint32Array.from(index) };
+  const tau = dusty ? geometry.getAttribute('tau')?.array : null;
+  return { name, positions: Float32Array.from(positions), normals: normals ? Float32Array.from(normals) : null, indices: Uint32Array.from(index), tau: tau ? Float32Array.from(tau) : null };
+}
+
+/** Faces with colours or textures of their own come as three vertices each: those that are one are put together again, or every face would shade flat. */
+function joined(geometry: BufferGeometry): BufferGeometry {
+  for (const name of Object.keys(geometry.attributes)) if (!['position', 'normal', 'tau'].includes(name)) geometry.deleteAttribute(name);
+  return mergeVertices(geometry, 0);
 }

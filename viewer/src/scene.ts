@@ -24,8 +24,9 @@ import {
   type GLSLVersion,
 } from 'three';
 import { radians } from './dom';
-import { directionsTexture, DIRECTIONS, radianceMap } from './environment';
+import { directionsTexture, DIRECTIONS, radianceMap, upward } from './environment';
 import { backdropTexture, BACKDROP_FRAGMENT, BACKDROP_VERTEX } from './backdrop';
+import { groundMaterial, groundOf } from './ground';
 import { FULL_VERTEX, SHADE_VERTEX, shadeFragment, uniformValues } from './glsl';
 import type { Lobe } from './lobe';
 import type { Material, Values } from './material';
@@ -62,6 +63,9 @@ void main() {
   if (covered > 0.0) gl_FragColor.rgb /= covered;
   #include <tonemapping_fragment>
   #include <colorspace_fragment>
+  // Eight bits of a smooth slope would show as steps: noise of half a step to either side, the same at every frame, spreads them.
+  float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5;
+  if (covered > 0.0) gl_FragColor.rgb += noise / 255.0;
   gl_FragColor = vec4(gl_FragColor.rgb * covered, covered);
 }`;
 
@@ -76,6 +80,11 @@ export class Picture {
   private readonly scene = new Scene();
   private readonly mesh = new Mesh<BufferGeometry, ShaderMaterial>();
   private readonly backdrop: Mesh<SphereGeometry, ShaderMaterial>;
+  private readonly ground = new Mesh<BufferGeometry, ShaderMaterial>(undefined, groundMaterial());
+  /** The radiance that a white diffuser facing up gets of the surroundings. */
+  private up = 0;
+  /** A sky of the user's. */
+  own: Float32Array | null = null;
   private readonly flat = new Scene();
   private readonly flatCamera = new OrthographicCamera();
   private readonly quad = new Mesh(new PlaneGeometry(2, 2));
@@ -113,7 +122,8 @@ export class Picture {
       new SphereGeometry(40, 32, 16),
       new ShaderMaterial({ glslVersion: GLSL3, vertexShader: BACKDROP_VERTEX, fragmentShader: BACKDROP_FRAGMENT, side: BackSide, depthWrite: false, uniforms: { sky: { value: null }, strength: { value: 1 } } }),
     );
-    this.scene.add(this.backdrop, this.mesh);
+    this.ground.frustumCulled = false;
+    this.scene.add(this.backdrop, this.ground, this.mesh);
     this.sample = target(1, 1, true);
     this.sums = [target(1, 1, false), target(1, 1, false)];
   }
@@ -128,6 +138,8 @@ export class Picture {
 
   setGeometry(geometry: BufferGeometry): void {
     this.mesh.geometry = geometry;
+    this.ground.geometry.dispose();
+    this.ground.geometry = groundOf(geometry);
     this.restart();
   }
 
@@ -138,6 +150,13 @@ export class Picture {
     this.renderer.setSize(w, h, false);
     this.sample.setSize(w, h);
     for (const sum of this.sums) sum.setSize(w, h);
+    this.restart();
+  }
+
+  /** A sky of the user's, for the surroundings called `own`. */
+  setOwn(map: Float32Array): void {
+    this.own = map;
+    this.environment = '';
     this.restart();
   }
 
@@ -220,6 +239,8 @@ export class Picture {
     for (const { program } of this.shown) program.dispose();
     for (const each of [this.sample, ...this.sums]) each.dispose();
     this.sky?.dispose();
+    this.ground.geometry.dispose();
+    this.ground.material.dispose();
     this.renderer.dispose();
   }
 
@@ -244,6 +265,10 @@ export class Picture {
     this.camera.setViewOffset(w, h, jitter[0]!, jitter[1]!, w, h);
     this.camera.updateProjectionMatrix();
     this.backdrop.visible = state.backdrop && state.environment !== 'none';
+    // What a white ground gets of the surroundings, of all that it gets with the lamp.
+    const [sky, lamp] = [this.up * state.sky, state.lamp * Math.max(Math.sin(radians(state.lampElevation)), 0)];
+    this.ground.visible = state.ground && !this.dark && !this.backdrop.visible;
+    this.ground.material.uniforms['strength']!.value = sky > 0 ? sky / (sky + lamp) : 0;
   }
 
   private light(program: ShaderMaterial, state: State, count: number): void {
@@ -305,7 +330,8 @@ export class Picture {
 
   private setEnvironment(name: string): void {
     this.sky?.dispose();
-    const map = radianceMap(name);
+    const map = name === 'own' ? (this.own ?? radianceMap('studio')) : radianceMap(name);
+    this.up = upward(map);
     this.sky = directionsTexture(map);
     const uniforms = this.backdrop.material.uniforms;
     (uniforms['sky']!.value as DataTexture | null)?.dispose();

@@ -12,6 +12,8 @@ const SHAPES: Record<string, string> = { sphere: 'Sphere', teapot: 'Teapot', bun
 export class Settings {
   readonly scene: HTMLDetailsElement;
   readonly compare: HTMLDetailsElement;
+  /** The file whose sky lights the scene. */
+  skyName = '';
   private readonly followers: ((state: State) => void)[] = [];
 
   constructor(
@@ -37,12 +39,20 @@ export class Settings {
       shape.fill(meshes.names.map((name) => [name, SHAPES[name] ?? name] as const));
       shape.show(state.shape);
     });
+    const up = this.choice('Up', 'up', [['y', 'y, as glTF has it'], ['z', 'z, as Blender has it']]);
+    this.followers.push((state) => (up.hidden = !meshes.isOwn(state.shape)));
+    const surroundings = new Choice('Surroundings', [], (value) => this.store.change({ environment: value }));
+    this.followers.push((state) => {
+      surroundings.fill([['studio', 'Studio'], ['sky', 'Sky'], ['dome', 'White dome'], ['none', 'Nothing'], ...(this.skyName ? [['own', this.skyName] as const] : [])]);
+      surroundings.show(state.environment);
+    });
     const dust = this.onOff('Dust lies where it settles', 'dust', 'tau by inclination and shelter instead of the same everywhere');
     this.followers.push(() => (dust.hidden = !pair.all.some((material) => material?.tau)));
     return section(
       'Scene',
       true,
-      h('div', { class: 'motes-pair' }, shape.element, this.choice('Surroundings', 'environment', [['studio', 'Studio'], ['sky', 'Sky'], ['dome', 'White dome'], ['none', 'Nothing']])),
+      h('div', { class: 'motes-pair' }, shape.element, surroundings.element),
+      up,
       this.slider('lamp', 'lamp', { step: 0.05 }),
       this.slider('lamp azimuth', 'lampAzimuth', { unit: '°', step: 1 }),
       this.slider('lamp height', 'lampElevation', { unit: '°', step: 1 }),
@@ -52,7 +62,8 @@ export class Settings {
       dust,
       this.onOff('Lobe in the corner', 'lobe', 'The BRDF in three dimensions'),
       this.onOff('Surroundings behind', 'backdrop', 'Show the environment as the background'),
-      h('p', { class: 'motes-caption' }, 'Drag to turn, Shift-drag to move the lamp, scroll to zoom. The lamp is a point; light from the surroundings is the sum over up to 1,024 directions, finished some frames after the last change. Nothing casts shadows.'),
+      this.onOff('Ground', 'ground', 'The shadow on the ground of the light from all around; without surroundings behind'),
+      h('p', { class: 'motes-caption' }, 'Drag to turn, Shift-drag to move the lamp, scroll to zoom. The lamp is a point; light from the surroundings is the sum over up to 1,024 directions, finished some frames after the last change. The ground lacks the light from all around that the shape keeps from it; nothing else casts shadows. A .hdr or .exr panorama that is dropped becomes the surroundings.'),
     );
   }
 
@@ -78,13 +89,13 @@ export class Settings {
     return made.element;
   }
 
-  private choice(label: string, key: 'environment' | 'tone' | 'compare', options: [string, string][]): HTMLElement {
+  private choice(label: string, key: 'up' | 'tone' | 'compare', options: [string, string][]): HTMLElement {
     const made = new Choice(label, options, (value) => this.store.change({ [key]: value }));
     this.followers.push((state) => made.show(state[key]));
     return made.element;
   }
 
-  private onOff(label: string, key: 'dust' | 'lobe' | 'backdrop', hint: string): HTMLElement {
+  private onOff(label: string, key: 'dust' | 'lobe' | 'backdrop' | 'ground', hint: string): HTMLElement {
     const made = new Switch(label, (on) => this.store.change({ [key]: on }), hint);
     this.followers.push((state) => made.show(state[key]));
     return made.element;

@@ -10,6 +10,8 @@ export interface Triangles {
   positions: Float32Array;
   normals: Float32Array | null;
   indices: Uint32Array;
+  /** Optical thickness of the dust at each vertex, where a file has it. */
+  tau?: Float32Array | null;
 }
 
 /** The longest side of a mesh, where the sphere has a diameter of 2. */
@@ -38,7 +40,8 @@ export function embedded(view: ShapeView): BufferGeometry {
 }
 
 /** A mesh of the user's: checked, brought to the size of the others, with normals and dust. */
-export function prepared(mesh: Triangles, dustByInclination: readonly number[]): BufferGeometry {
+export function prepared(given: Triangles, dustByInclination: readonly number[], up: string): BufferGeometry {
+  const mesh = up === 'z' ? turned(given) : given;
   const { positions, indices } = mesh;
   if (indices.length < 3) throw new Problem(`${mesh.name} has no triangle`, 'Export the mesh with its faces');
   if (indices.length / 3 > MOST_TRIANGLES) throw new Problem(`${mesh.name} has ${(indices.length / 3).toLocaleString('en')} triangles, more than ${MOST_TRIANGLES.toLocaleString('en')}`, 'Decimate it');
@@ -61,8 +64,26 @@ export function prepared(mesh: Triangles, dustByInclination: readonly number[]):
   const made = geometry(moved, mesh.normals && usable(mesh.normals, count) ? mesh.normals : null, count < 65536 ? Uint16Array.from(indices) : indices, null);
   if (!made.getAttribute('normal')) made.computeVertexNormals();
   const normals = made.getAttribute('normal').array as Float32Array;
-  made.setAttribute('dust', new BufferAttribute(settle(moved, normals, indices, dustByInclination), 1));
+  const most = thickest(mesh);
+  const share = mesh.tau && most > 0 ? mesh.tau.map((tau) => tau / most) : settle(moved, normals, indices, dustByInclination);
+  made.setAttribute('dust', new BufferAttribute(share, 1));
   return made;
+}
+
+/** The largest tau of a mesh's own dust, 0 where it has none. */
+export function thickest(mesh: Triangles): number {
+  let most = 0;
+  for (const tau of mesh.tau ?? []) {
+    if (!(tau >= 0 && Number.isFinite(tau))) throw new Problem(`${mesh.name} has a vertex with tau = ${tau}, which is no optical thickness`, 'tau is a number from 0 on');
+    most = Math.max(most, tau);
+  }
+  return most;
+}
+
+/** z up as y up: a quarter turn about x. */
+function turned(mesh: Triangles): Triangles {
+  const turn = (values: Float32Array): Float32Array => values.map((value, k) => (k % 3 === 0 ? value : k % 3 === 1 ? values[k + 1]! : -values[k - 1]!));
+  return { ...mesh, positions: turn(mesh.positions), normals: mesh.normals && turn(mesh.normals) };
 }
 
 function usable(normals: Float32Array, count: number): boolean {

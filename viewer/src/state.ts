@@ -26,6 +26,9 @@ export interface State {
   dust: boolean;
   lobe: boolean;
   backdrop: boolean;
+  ground: boolean;
+  /** Which axis of a mesh of the user's points up. */
+  up: string;
   incidence: number;
   radius: string;
   scale: string;
@@ -52,8 +55,9 @@ export const RANGES: Record<'azimuth' | 'elevation' | 'distance' | 'lampAzimuth'
   active: { low: 0, high: 1 },
 };
 
-export const WORDS: Record<'environment' | 'tone' | 'compare' | 'radius' | 'scale', readonly string[]> = {
-  environment: ['sky', 'studio', 'dome', 'none'],
+export const WORDS: Record<'up' | 'environment' | 'tone' | 'compare' | 'radius' | 'scale', readonly string[]> = {
+  up: ['y', 'z'],
+  environment: ['sky', 'studio', 'dome', 'none', 'own'],
   tone: ['neutral', 'agx', 'clip'],
   compare: ['one', 'side', 'split'],
   radius: ['f', 'f cos'],
@@ -82,6 +86,8 @@ export function initial(shape: string, hours: number, compare: boolean): State {
     dust: true,
     lobe: true,
     backdrop: false,
+    ground: true,
+    up: 'y',
     incidence: 45,
     radius: 'f',
     scale: 'linear',
@@ -117,7 +123,7 @@ export function merged(start: State, data: Record<string, unknown>): State {
   const into = state as unknown as Record<string, unknown>;
   for (const [key, range] of Object.entries(RANGES)) if (typeof data[key] === 'number' && Number.isFinite(data[key])) into[key] = clamp(data[key], range.low, range.high);
   for (const [key, words] of Object.entries(WORDS)) if (typeof data[key] === 'string' && words.includes(data[key])) into[key] = data[key];
-  for (const key of ['dust', 'lobe', 'backdrop']) if (typeof data[key] === 'boolean') into[key] = data[key];
+  for (const key of ['dust', 'lobe', 'backdrop', 'ground']) if (typeof data[key] === 'boolean') into[key] = data[key];
   if (typeof data['shape'] === 'string') state.shape = data['shape'].slice(0, LONGEST_SHAPE);
   state.active = Math.round(state.active);
   for (const index of [0, 1] as const) {

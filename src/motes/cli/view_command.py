@@ -67,7 +67,7 @@ def view(
         if fit_is_there:
             fitted = _fit_json(beside)
             if points is None:
-                points = _own_data(fitted, notes)
+                points = _own_data(fitted, Path(subject), notes)
     else:
         what = _fit(_read(subject, reading, common), model, common)
     second = None if against is None else paths.material_of(against)
@@ -134,7 +134,31 @@ def _fit_json(path: Path) -> dict[str, Any] | None:
     return found if isinstance(found, dict) else None
 
 
-def _own_data(fitted: dict[str, Any] | None, notes: list[str]) -> Measurement | None:
+def _where(path: str, digest: object, folder: Path) -> str:
+    """Where the data of a fit are.
+
+    A relative path is of the folder that `motes fit` ran in, which is most often that of the results or one above; a file there is taken only
+    when its bytes are those that were fitted.
+    """
+    import hashlib
+
+    if Path(path).is_absolute():
+        return path
+    for base in (Path(), *folder.resolve().parents):
+        candidate = base / path
+        try:
+            if candidate.is_file() and isinstance(digest, str):
+                with candidate.open("rb") as file:
+                    if hashlib.file_digest(file, "sha256").hexdigest() == digest:
+                        return str(candidate)
+            elif candidate.exists() and (base == Path() or not isinstance(digest, str)):
+                return str(candidate)
+        except OSError:
+            continue
+    return path
+
+
+def _own_data(fitted: dict[str, Any] | None, folder: Path, notes: list[str]) -> Measurement | None:
     """The data that a fit was made of, read again where they still are."""
     from motes.errors import MotesError
     from motes.measurements import Measurement, read
@@ -146,7 +170,7 @@ def _own_data(fitted: dict[str, Any] | None, notes: list[str]) -> Measurement | 
     if isinstance(about.get("options"), dict):  # of the reader, as they were given then
         options = {**about["options"], **options}
     try:
-        found = read(about["path"], **options)
+        found = read(_where(about["path"], (fitted or {}).get("sha256_of_file"), folder), **options)
     except (MotesError, OSError, TypeError, ValueError):
         notes.append("The measured data of this fit are not where they were; --data shows them over the material.")
         return None
