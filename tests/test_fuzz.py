@@ -232,3 +232,36 @@ def test_links_and_scenes_are_damaged_inside(fuzz: ModuleType) -> None:
             made != glb and len(lengths) == 2 and lengths[0] == len(made) and made[20 + lengths[1] :][4:8] == b"BIN\0"
         )
     assert right > 80
+
+
+def test_a_format_goes_on_where_it_was_left(
+    fuzz: ModuleType, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A sitting adds to what the one before did, with other inputs; `--anew` begins again."""
+    seen = tmp_path / "seen"
+
+    def reader(path: Path, name: str, turn: int) -> str:
+        with seen.open("ab") as file:
+            file.write(path.read_bytes().hex().encode() + b"\n")
+        return "read"
+
+    monkeypatch.setitem(fuzz.OTHERS, "mesh", reader)
+    specimen = np.random.default_rng(4).bytes(500)
+    monkeypatch.setattr(fuzz.fuzz_specimens, "specimens", lambda: {"mesh": lambda: [({"a": specimen}, "a")]})
+    monkeypatch.setattr(fuzz, "everything", lambda: ["mesh"])
+    kept = tmp_path / "kept.json"
+
+    def sitting(count: int, *more: str) -> int:
+        options = ["--count", str(count), "--kept", str(kept), "--seed", "5", "--formats", "mesh", *more]
+        monkeypatch.setattr(sys, "argv", ["fuzz.py", *options])
+        assert fuzz.main() == 0
+        return sum(json.loads(kept.read_text())["formats"]["mesh"]["counts"].values())
+
+    assert sitting(8) == 8
+    assert sitting(20) == 20
+    read = seen.read_text().splitlines()
+    assert len(read) == 22  # the specimen itself, once a sitting
+    assert len(set(read)) == 21
+    assert sitting(6) == 20  # nothing is left to do
+    assert sitting(6, "--anew", "mesh") == 6
+    assert "**6 inputs, 0 failures**" in capsys.readouterr().out

@@ -25,7 +25,7 @@ import sys
 import tempfile
 import time
 import warnings
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
@@ -47,6 +47,7 @@ SECONDS = 10.0  # of computing
 SILENCE = 60.0  # seconds
 EACH = 200  # inputs after which the memory that a process has is looked at again
 MOST_DEATHS = 20
+EVERY = 20.0  # seconds after which what was done is kept
 M_ARENA_MAX = -8  # of malloc.h
 SHARED_MEMORY = "/dev/shm" if Path("/dev/shm").is_dir() else None
 
@@ -154,11 +155,13 @@ def work(name: str, count: int, seconds: float, seed: int, scratch: str, pipe: C
 class Running:
     """A format, and the process that is at work on it now."""
 
-    def __init__(self, name: str, count: int, seconds: float, seed: int, folder: str) -> None:
-        self.name, self.count, self.seed, self.folder = name, count, seed, folder
+    def __init__(self, name: str, count: int, seconds: float, seed: int, folder: str, before: Outcome) -> None:
+        self.name, self.count, self.folder = name, count, folder
+        self.seed = seed + before.inputs  # not the inputs of the sitting before again
         self.end = time.monotonic() + seconds
-        self.before, self.now = Outcome(), Outcome()
+        self.before, self.now = before, Outcome()
         self.deaths = 0
+        self.told = time.monotonic()
         self.well = False
         self.start()
 
@@ -181,6 +184,13 @@ class Running:
             return True
         except EOFError:
             return self.ended(f"the process ended with {self.code()}" if self.code() else None)
+
+    def so_far(self) -> Outcome:
+        """What was counted, with what the process counts now."""
+        together = Outcome()
+        together.merge(self.before)
+        together.merge(self.now)
+        return together
 
     def code(self) -> int | None:
         self.process.join()
@@ -216,19 +226,32 @@ class Running:
         return "" if newest is None else f"{newest.relative_to(self.scratch)}: {newest.read_bytes()[:4000].hex()}"
 
 
-def run(names: list[str], count: int, seconds: float, seed: int, processes: int) -> Iterator[tuple[str, Outcome]]:
-    """Every format in a process of its own, some at a time; as they end."""
+def run(
+    names: list[str],
+    count: int,
+    seconds: float,
+    seed: int,
+    processes: int,
+    before: dict[str, Outcome] | None = None,
+    keep_so_far: Callable[[str, Outcome], None] | None = None,
+) -> Iterator[tuple[str, Outcome]]:
+    """Every format in a process of its own, some at a time; as they end.  Those that were begun `before` go on."""
     with tempfile.TemporaryDirectory(dir=SHARED_MEMORY) as folder:
         waiting = list(names)
         running: list[Running] = []
         while waiting or running:
             while waiting and len(running) < processes:
-                running.append(Running(waiting.pop(0), count, seconds, seed, folder))
+                name = waiting.pop(0)
+                begun = (before or {}).get(name) or Outcome()
+                running.append(Running(name, count, seconds, seed, folder, begun))
             ready = wait([each.pipe for each in running], timeout=1)
             for each in list(running):
                 alive = True
                 if each.pipe in ready:
                     alive = each.hear()
+                    if alive and keep_so_far and time.monotonic() > each.told + EVERY:
+                        each.told = time.monotonic()
+                        keep_so_far(each.name, each.so_far())
                 elif each.silent():
                     alive = each.end_silent()
                 if not alive:
@@ -254,9 +277,10 @@ def main() -> int:
         "--kept",
         type=Path,
         default=None,
-        help="a JSON file of formats done with so many inputs: what it holds is not done again",
+        help="a JSON file of what was done: formats that were begun go on from there",
     )
     parser.add_argument("--output", type=Path, default=None, help="such as docs/fuzzing.md; printed only by default")
+    parser.add_argument("--anew", nargs="*", default=[], help="formats to be begun again, whatever is kept of them")
     parser.add_argument("--examples", type=Path, default=None, help="a JSON file for the first input of each failure")
     given = parser.parse_args()
     names = everything()
@@ -265,14 +289,20 @@ def main() -> int:
         parser.error(f"no formats: {', '.join(sorted(unknown))}; there are {', '.join(names)}")
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # and tidy up
     start = time.monotonic()
-    results = kept(given.kept, given.count, given.seed) if given.kept else {}
-    left = [name for name in asked if name not in results]
+    results = kept(given.kept, given.seed) if given.kept else {}
+    for name in given.anew:
+        results.pop(name, None)
+    left = [name for name in asked if name not in results or results[name].inputs < given.count]
     seconds = 60 * given.minutes * given.processes / max(len(left), 1)
-    for name, outcome in run(left, given.count, seconds, given.seed, given.processes):
-        print(name, dict(outcome.counts), f"{outcome.slowest:.2f} s, {outcome.most / 2**20:.0f} MiB", flush=True)
+
+    def kept_so_far(name: str, outcome: Outcome) -> None:
         results[name] = outcome
         if given.kept:
             keep(given.kept, results, given.seed)
+
+    for name, outcome in run(left, given.count, seconds, given.seed, given.processes, dict(results), kept_so_far):
+        print(name, dict(outcome.counts), f"{outcome.slowest:.2f} s, {outcome.most / 2**20:.0f} MiB", flush=True)
+        kept_so_far(name, outcome)
         if given.examples:
             given.examples.write_text(json.dumps({k: o.examples for k, o in results.items() if o.examples}, indent=1))
     minutes = None if given.kept else (time.monotonic() - start) / 60

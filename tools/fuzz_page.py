@@ -57,12 +57,11 @@ def keep(path: Path, results: dict[str, Outcome], seed: int) -> None:
     path.write_text(json.dumps({"seed": seed, "formats": {name: vars(o) for name, o in results.items()}}, indent=1))
 
 
-def kept(path: Path, count: int, seed: int) -> dict[str, Outcome]:
-    """The formats that a file holds of this seed, with that many inputs at least."""
+def kept(path: Path, seed: int) -> dict[str, Outcome]:
+    """The formats that a file holds of this seed."""
     if not path.exists() or (content := json.loads(path.read_text()))["seed"] != seed:
         return {}
-    found = {name: Outcome(**{**o, "counts": Counter(o["counts"])}) for name, o in content["formats"].items()}
-    return {name: o for name, o in found.items() if o.inputs >= count}
+    return {name: Outcome(**{**o, "counts": Counter(o["counts"])}) for name, o in content["formats"].items()}
 
 
 def page(results: dict[str, Outcome], seed: int, minutes: float | None, seconds: float, growth: int) -> str:
