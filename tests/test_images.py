@@ -208,11 +208,11 @@ def test_damaged_png_are_refused(tmp_path: Path) -> None:
         "damaged at byte": good[:60] + b"\xff" + good[61:],
         "has no header": of([(b"IDAT", b""), (b"IEND", b"")]),
         "cannot be decoded": png_bytes(np.zeros((4, 5, 1), np.uint16), [0], kind=3),
-        "Invalid IHDR data|png header claims": with_size(2**31 - 1, 2**31 - 1),
+        "2147483647 x 2147483647 pixels, and 1,000,000": with_size(2**31 - 1, 2**31 - 1),
         "would take .* MiB of memory": with_size(5000, 5000) + bytes(100_000),
-        "decoded: (.*)": with_size(5, 6),
+        "pixels end after 64 of 96 bytes": with_size(5, 6),
         "cut short": good[:-12],
-        "decoded": of([(b"IHDR", ihdr), (b"IDAT", zlib.compress(b"\x09" + bytes(3))), (b"IEND", b"")]),
+        "a row has the filter 9": of([(b"IHDR", ihdr), (b"IDAT", zlib.compress(b"\x09" + bytes(3))), (b"IEND", b"")]),
         "gAMA chunk says 0": png_bytes(np.zeros((4, 5, 3), np.uint8), [0], chunks=((b"gAMA", bytes(4)),)),
         "cICP chunk names": png_bytes(np.zeros((4, 5, 3), np.uint8), [0], chunks=((b"cICP", bytes([9, 16, 0, 1])),)),
         "span no colours": png_bytes(
@@ -455,7 +455,9 @@ def test_many_channels_count_and_few_are_read(tmp_path: Path, monkeypatch: pytes
     path = write_exr(tmp_path / "a.exr", {"R": flat, "G": flat, "B": flat} | {f"x{k}.Z": flat for k in range(20)})
     monkeypatch.setattr(budget, "LEAST", 2**20)
     assert path.stat().st_size < 100_000
-    with pytest.raises(FormatError, match=r"500 x 400 pixels of 3 channels would take 2 MiB of memory"):
+    with pytest.raises(
+        FormatError, match=r"16 lines of 500 pixels, which are packed together, would take 1 MiB of memory"
+    ):
         exr.read_exr(path, "a test")
 
 
@@ -517,7 +519,8 @@ def mended_checksums(data: bytes) -> bytes:
     return b"".join(parts)
 
 
-def test_mutated_pictures_give_numbers_or_a_sentence(tmp_path: Path) -> None:
+def test_mutated_pictures_give_numbers_or_a_sentence(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    """And nothing on the terminal: libpng, below OpenImageIO, says what is wrong with a file there, past everybody, unless it is found before."""
     (tmp_path / "good").mkdir()
     rng = np.random.default_rng(8)
     answers: dict[str, int] = {}
@@ -537,6 +540,7 @@ def test_mutated_pictures_give_numbers_or_a_sentence(tmp_path: Path) -> None:
             except FormatError:
                 pass
     assert min(answers.get(name, 0) for name in ("z.tif", "j.jpg", "e.exr", "m.exr", "p.png")) > 4
+    assert capfd.readouterr() == ("", "")
 
 
 def test_without_the_package_the_command_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

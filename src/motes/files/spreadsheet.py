@@ -28,6 +28,9 @@ PIECE = 2**20
 KEPT, ROW = 600, 100
 #: Tags between two rows: more than the 16,384 cells of a row need; each takes 250 bytes while the row is read.
 MOST_TAGS = 120_000
+#: A row without cells, which all of these share: a number of a row in the file can leave out a million; and the bytes that one takes in a table at last.
+NOTHING: list[Cell] = []
+GAP = 160
 _DOCTYPE = tuple(
     word.encode(code) for word in ("<!DOCTYPE", "<!ENTITY") for code in ("ascii", "utf-16-le", "utf-16-be")
 )
@@ -119,8 +122,8 @@ def _rows(sheet: Any, purse: _Purse) -> list[list[Cell]]:
         cells = [_cell(value) for value in row]
         while cells and cells[-1] is None:
             cells.pop()
-        purse.spend(64 + 32 * len(cells) + sum(len(c) for c in cells if isinstance(c, str)))
-        rows.append(cells)
+        purse.spend(GAP if not cells else 64 + 32 * len(cells) + sum(len(c) for c in cells if isinstance(c, str)))
+        rows.append(cells or NOTHING)
     while rows and not rows[-1]:
         rows.pop()
     return rows

@@ -114,14 +114,11 @@ def read_exr(path: Path, purpose: str, layer: str | None = None) -> Picture:
                     f"{path}: the channel {facts.channelnames[k]} holds {formats[k]}, which is for names and not for light",
                     "Give a picture of half or float numbers",
                 )
-        first, last = min(wanted), max(wanted) + 1
-        kind = library.oiio(purpose).FLOAT
-        data = library.pixels(path, picture, chosen.part, first, last, library.oiio(purpose).TypeDesc(kind))
-        shown = _shown(path, data[..., [k - first for k in wanted]], facts)
+        shown = _shown(path, library.pixels(path, picture, chosen.part, wanted, "float"), facts)
         primaries = facts.getattribute("chromaticities")
     good = isinstance(primaries, tuple) and len(primaries) == 8
     return Picture(
-        np.ascontiguousarray(shown[..., : len(places)]),
+        shown[..., : len(places)],
         None if chosen.alpha is None else shown[..., -1],
         chosen.name,
         tuple(float(x) for x in primaries) if good else None,

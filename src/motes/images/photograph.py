@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from motes.errors import FormatError, MissingExtraError, MotesError
 from motes.files import reading
-from motes.images import exr, library, png, transfer_functions
+from motes.images import exr, jpeg, library, png, transfer_functions
 from motes.images.transfer_functions import Transfer
 
 Singles = NDArray[np.float32]
@@ -28,6 +28,8 @@ PORTABLE = (
     b"P5",
     b"P6",
 )  # PFM and PNM: without a transfer function of their own
+#: Bytes of a coefficient, of which the decoder of a progressive JPEG keeps one for each number of the picture.
+COEFFICIENT = 2
 # Exif's orientations 2 to 8 as (transpose, flip rows, flip columns), in this order.
 _TURNS = {2: (0, 0, 1), 3: (0, 1, 1), 4: (0, 1, 0), 5: (1, 0, 0), 6: (1, 0, 1), 7: (1, 1, 1), 8: (1, 1, 0)}
 
@@ -159,7 +161,7 @@ def read_mask(path: Path, purpose: str = "Reading a mask") -> Floats:
     try:
         if reading.head(path, 2) in PORTABLE:
             with library.opened(path, purpose) as opened:
-                picture = Photograph(path, _codes(path, opened, purpose)[0], Transfer("linear"))
+                picture = Photograph(path, _codes(path, opened)[0], Transfer("linear"))
         else:
             picture = open_photograph(path, Transfer("linear"), purpose=purpose)
     except FileNotFoundError:
@@ -191,7 +193,8 @@ def _png(path: Path, stated: Transfer | None, purpose: str) -> Photograph:
     unsaid = Transfer("srgb", "no chunk says what the numbers are, and by custom they are then sRGB")
     meaning = stated or png.transfer_of(path, chunks) or unsaid
     with library.opened(path, purpose) as picture:
-        stored, alpha = _codes(path, picture, purpose)
+        held = picture.spec(0).pixel_bytes(True) if png.interlaced(chunks) else 0
+        stored, alpha = _codes(path, picture, int(held))
     return Photograph(path, stored, meaning, _used(alpha))
 
 
@@ -203,7 +206,8 @@ def _other(path: Path, stated: Transfer | None, purpose: str, kind: str) -> Phot
         space = facts.getattribute("tiff:ColorSpace") or facts.getattribute("jpeg:ColorSpace")
         if space is not None or facts.getattribute("tiff:PhotometricInterpretation") in (5, 8, 9, 10):
             raise FormatError(f"{path} holds {space or 'Lab colours'}, not R, G, B or grey", "Save it as RGB")
-        stored, alpha = _codes(path, picture, purpose)
+        held = COEFFICIENT * facts.nchannels if kind == "JPEG" and jpeg.progressive(path) else 0
+        stored, alpha = _codes(path, picture, held)
         profile = facts.getattribute("ICCProfile")
         srgb = facts.getattribute("Exif:ColorSpace") == 1
         turn = int(facts.getattribute("Orientation") or 1)
@@ -227,26 +231,19 @@ def _other(path: Path, stated: Transfer | None, purpose: str, kind: str) -> Phot
     return Photograph(path, stored, meaning, _used(alpha), notes)
 
 
-def _codes(path: Path, picture: Any, purpose: str) -> tuple[NDArray[Any], NDArray[Any] | None]:
-    """Colours (y, x, C) and alpha (y, x) of a picture that is not OpenEXR, as they are stored."""
-    OpenImageIO = library.oiio(purpose)
+def _codes(path: Path, picture: Any, held: int = 0) -> tuple[NDArray[Any], NDArray[Any] | None]:
+    """Colours (y, x, C) and alpha (y, x) of a picture that is not OpenEXR, as they are stored; its decoder holds so many bytes a pixel."""
     facts = picture.spec(0)
-    kinds = {
-        "uint8": OpenImageIO.UINT8,
-        "uint16": OpenImageIO.UINT16,
-        "float": OpenImageIO.FLOAT,
-        "half": OpenImageIO.FLOAT,
-    }
-    kind = kinds.get(str(facts.format))
+    kind = "float" if str(facts.format) == "half" else str(facts.format)
     alpha = facts.alpha_channel
     n = facts.nchannels
     colours = n - (alpha >= 0)
-    if kind is None or colours not in (1, 3) or (alpha >= 0 and alpha != n - 1):
+    if kind not in library.KINDS or colours not in (1, 3) or (alpha >= 0 and alpha != n - 1):
         raise FormatError(
             f"{path} has {n} channels ({', '.join(facts.channelnames)[:80]}) of {facts.format}",
             "Pictures of 8 or 16 bits or floating-point numbers are read, RGB or grey, with or without alpha",
         )
-    data = library.pixels(path, picture, 0, 0, n, OpenImageIO.TypeDesc(kind))
+    data = library.pixels(path, picture, 0, range(n), kind, held)
     return data[..., :colours], data[..., -1] if alpha >= 0 else None
 
 

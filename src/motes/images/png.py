@@ -1,6 +1,7 @@
 """What a PNG says of its numbers, and whether it is whole: the chunks before the pixels, and all checksums (PNG, ISO 15948, third edition).
 
-The pixels are decoded by OpenImageIO, which hands on neither cHRM nor cICP.
+The pixels are decoded by OpenImageIO, which hands on neither cHRM nor cICP.  The library below it, libpng, says what is wrong with a file on the terminal,
+past everybody; so what it would refuse is refused before: see `motes.images.png_pixels`.
 """
 
 from __future__ import annotations
@@ -10,10 +11,11 @@ import zlib
 from pathlib import Path
 
 from motes.errors import FormatError
-from motes.images import transfer_functions
+from motes.images import png_pixels, transfer_functions
 from motes.images.transfer_functions import Transfer
 
 MAGIC = b"\x89PNG\r\n\x1a\n"
+PIXELS = png_pixels.PIXELS
 LARGEST_FILE = 2**31
 LARGEST_PROFILE = 16 * 2**20
 _PRIMARIES = {
@@ -38,17 +40,28 @@ def chunks_of(path: Path) -> dict[bytes, bytes]:
     data = path.read_bytes()
     if not data.startswith(MAGIC):
         raise FormatError(f"{path} is not a PNG picture; it starts with {data[:8]!r}", "Check the file")
-    chunks, whole = _chunks(path, data)
-    if len(chunks.get(b"IHDR", b"")) != 13:
-        raise FormatError(f"{path} has no header", "The file is damaged; fetch it again")
+    found, whole = _chunks(path, data)
+    header = png_pixels.header_of(path, found)
     if not whole:
         raise FormatError(f"{path} is cut short: its pixels or its end are missing", "Fetch or copy the file again")
+    png_pixels.check_order(path, header, found)
+    png_pixels.check(path, header, [content for name, content in found if name == PIXELS])
+    chunks: dict[bytes, bytes] = {}
+    for name, content in found:
+        if name == PIXELS:
+            break
+        chunks.setdefault(name, bytes(content))
     return chunks
 
 
-def _chunks(path: Path, data: bytes) -> tuple[dict[bytes, bytes], bool]:
-    """The first chunk of each name before the pixels, and whether pixels and end follow; all checksums hold."""
-    found: dict[bytes, bytes] = {}
+def interlaced(chunks: dict[bytes, bytes]) -> bool:
+    """Whether the pixels come in several passes, for which a decoder keeps all of them."""
+    return chunks[b"IHDR"][12] != 0
+
+
+def _chunks(path: Path, data: bytes) -> tuple[list[tuple[bytes, memoryview]], bool]:
+    """All chunks, and whether pixels and end are among them; all checksums hold."""
+    found: list[tuple[bytes, memoryview]] = []
     at, pixels = len(MAGIC), False
     view = memoryview(data)
     while at + 12 <= len(data):
@@ -56,11 +69,10 @@ def _chunks(path: Path, data: bytes) -> tuple[dict[bytes, bytes], bool]:
         check = data[at + 8 + length : at + 12 + length]
         if len(check) < 4 or zlib.crc32(view[at + 4 : at + 8 + length]) != struct.unpack(">I", check)[0]:
             raise FormatError(f"{path} is damaged at byte {at}", "Fetch or copy the file again")
-        pixels = pixels or name == b"IDAT"
+        pixels = pixels or name == PIXELS
+        found.append((name, view[at + 8 : at + 8 + length]))
         if name == b"IEND":
             return found, pixels
-        if not pixels:
-            found.setdefault(name, data[at + 8 : at + 8 + length])
         at += 12 + length
     return found, False
 

@@ -78,6 +78,10 @@ def hours_of(array: Any, count: int, folder: Path) -> Floats:
             f"{folder}: time has the units {units[:40]!r}", f"Known are {', '.join(u for u in UNITS if u)}"
         )
     values = zarrs.numbers(array, folder)
+    if values.shape != (count,):
+        raise FormatError(
+            f"{folder}: time has shape {values.shape}, and the values have {count:,} times", "One number a time"
+        )
     if since and len(values):
         values = values - values[0]
     return values * UNITS[units.strip()]

@@ -21,6 +21,9 @@ from motes.maps.opening import check, hours_of, reflectance, vectors
 from motes.maps.zarrs import AXES, NAME
 from motes.measurements import policy
 
+#: Bytes that the name of a channel takes.
+NAMED = 100
+
 Singles = NDArray[np.float32]
 Floats = NDArray[np.float64]
 
@@ -302,6 +305,8 @@ def open_stack(path: object, mode: str = "r") -> MapStack:
     array = reflectance(members, folder)
     if mode == "r":  # what is opened to be filled has no files yet
         zarrs.check_chunks(array, folder)
+        # A texel is read whole, and each channel has a name.
+        zarrs.check_whole(array, folder, math.prod(array.shape[2:]) * array.dtype.itemsize + NAMED * array.shape[4])
     wi, wo = (vectors(members, name, array.shape[3], folder) for name in ("wi", "wo"))
     hours = hours_of(members.get("time"), array.shape[2], folder)
     check(wi, wo, hours, array.shape[4], folder)

@@ -7,7 +7,7 @@ import math
 import os
 import shlex
 import warnings
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from itertools import islice
 from pathlib import Path
 from typing import Any
@@ -44,6 +44,8 @@ LARGEST_ATTRIBUTES = 2**20
 # Files of an array of which the largest is taken for the size that its chunks have.
 MOST_LOOKED_AT = 1000
 MOST_BLOCKS = 10_000_000
+# Chunks that are looked for whether there are files or not.
+FEW_CHUNKS = 10_000
 #: What to do when a disk refuses.
 PLACE = "Choose a place that is writable and has room, with -o"
 
@@ -171,6 +173,7 @@ def dimensions(array: Any) -> tuple[str, ...]:
 
 def numbers(array: Any, where: object) -> NDArray[np.float64]:
     """A small array whole, as float64."""
+    check_whole(array, where, math.prod(array.shape) * max(array.dtype.itemsize, 8))
     if array.dtype.kind not in "fiu" or math.prod(array.shape) * array.dtype.itemsize > LARGEST_TABLE:
         raise FormatError(
             f"{where}: {array.basename} ({array.dtype}, {array.shape}) is not a table of numbers",
@@ -200,6 +203,8 @@ def read(array: Any, where: object, part: Any = ...) -> NDArray[Any]:
         When a chunk would take too much memory, or is damaged.
     """
     check_chunks(array, where)
+    check_whole(array, where, _length(array.shape, part) * array.dtype.itemsize)
+    check_count(array, where, part)
     try:
         check_frames(array, where, part)
         return np.asarray(array[part])
@@ -254,6 +259,67 @@ def check_chunks(array: Any, where: object) -> None:
         )
 
 
+def check_whole(array: Any, where: object, size: int) -> None:
+    """Refuse `size` bytes of an array that its store does not have (`motes.files.budget`): what has no file is made up of the fill value.
+
+    Raises
+    ------
+    FormatError
+        With the shape, and how to ask for more.
+    """
+    if size <= budget.LEAST:
+        return
+    stored = 0
+    for file in _files(where):
+        stored += os.path.getsize(file)
+        if budget.allowed(stored) >= size:
+            return
+    shape = " x ".join(map(str, array.shape))
+    budget.check(Path(str(where)), size, f"what is to be read of {array.basename} ({shape})", stored)
+
+
+def check_count(array: Any, where: object, part: Any) -> None:
+    """Refuse to look for many more chunks than there are files: each that is missing takes its time.
+
+    Raises
+    ------
+    FormatError
+        With both numbers.
+    """
+    count = math.prod(map(_count, _ranges(array.shape, part, array.chunks)))
+    if count <= FEW_CHUNKS:
+        return
+    found = sum(1 for _ in islice(_files(where), count))
+    if count > FEW_CHUNKS + budget.FACTOR * found:
+        raise FormatError(
+            f"{where}: {array.basename} is in {count:,} chunks, and the store has {found:,} files",
+            "The store is damaged, or its chunks are far too small: write it again",
+        )
+
+
+def _files(where: object) -> Iterator[str]:
+    return (os.path.join(root, name) for root, _, names in os.walk(str(where)) for name in names)
+
+
+def _ranges(shape: tuple[int, ...], part: Any, steps: tuple[int, ...]) -> Iterator[range]:
+    """What a part of an array (slices or numbers along its first axes) goes through along each axis, in chunks of `steps`."""
+    given = tuple(each for each in (part if isinstance(part, tuple) else (part,)) if each is not Ellipsis)
+    for k, (n, step) in enumerate(zip(shape, steps, strict=True)):
+        each = given[k] if k < len(given) else slice(None)
+        start, stop, _ = each.indices(n) if isinstance(each, slice) else (each, each + 1, 1)
+        yield range(start // step, -(-max(start, stop) // step) if stop > start else start // step)
+
+
+def _count(numbers: range) -> int:
+    """`len`, of ranges that no machine could count too."""
+    return max(0, numbers.stop - numbers.start)
+
+
+def _length(shape: tuple[int, ...], part: Any) -> int:
+    """The count of the numbers in a part of an array."""
+    return math.prod(map(_count, _ranges(shape, part, (1,) * len(shape))))
+
+
 def consolidate(folder: Path) -> None:
     """Metadata in one place: without it xarray warns."""
     with warnings.catch_warnings():
@@ -304,7 +370,7 @@ def add(
 
 def size_on_disk(path: object) -> int:
     """Bytes of all files below a path."""
-    return sum(os.path.getsize(os.path.join(root, name)) for root, _, names in os.walk(str(path)) for name in names)
+    return sum(map(os.path.getsize, _files(path)))
 
 
 def _shortly(error: Exception) -> str:
