@@ -9,8 +9,6 @@ from __future__ import annotations
 
 import datetime
 import re
-import threading
-import warnings
 import zipfile
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -19,6 +17,7 @@ from typing import Any, NamedTuple
 
 from motes.errors import FormatError, MissingExtraError, MotesError
 from motes.files import budget
+from motes.quiet import without_warnings
 
 Cell = str | float | None
 
@@ -44,9 +43,6 @@ _TEXT = re.compile(rb"\bt=[\"']str")
 # What programs write that do not calculate: their formulas have no values, or zeros in place of them.
 _UNCALCULATED = re.compile(rb"fullCalcOnLoad\s*=\s*[\"'](?:1|true)")
 LONGEST = 9000  # bytes of the longest of these patterns, carried from piece to piece: a formula has at most 8,192
-_lock = (
-    threading.RLock()
-)  # the filters of warnings belong to the whole process, and a workbook is opened twice at times
 
 
 def read_spreadsheet(path: Path, sheet: str | None = None) -> list[list[Cell]]:
@@ -267,11 +263,9 @@ def _opened(path: Path, *, data_only: bool) -> Iterator[Any]:
     book = None
     try:
         # It warns of what it will not write again (validation, conditional formats); nothing is written here.
-        with _lock, warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            with path.open("rb") as file:  # by a handle: the library goes by the name's suffix otherwise
-                book = openpyxl.load_workbook(file, read_only=True, data_only=data_only, keep_links=False)
-                yield book
+        with without_warnings(), path.open("rb") as file:  # by a handle: the library goes by the name's suffix otherwise
+            book = openpyxl.load_workbook(file, read_only=True, data_only=data_only, keep_links=False)
+            yield book
     except (MotesError, MemoryError):
         raise
     except Exception as error:  # KeyError, TypeError, ParseError...: what a damaged archive makes of the library

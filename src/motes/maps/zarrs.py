@@ -6,7 +6,6 @@ import json
 import math
 import os
 import shlex
-import warnings
 from collections.abc import Iterator, Mapping
 from itertools import islice
 from pathlib import Path
@@ -19,6 +18,7 @@ from motes.errors import FormatError, MissingExtraError, MotesError
 from motes.files import budget
 from motes.maps.frames import check_frames
 from motes.material import CONVENTIONS as MATERIAL_CONVENTIONS
+from motes.quiet import without_warnings
 
 NAME = "f_r"
 AXES = ("y", "x", "time", "direction", "channel")
@@ -322,8 +322,7 @@ def _length(shape: tuple[int, ...], part: Any) -> int:
 
 def consolidate(folder: Path) -> None:
     """Metadata in one place: without it xarray warns."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # that this is not in the specification of version 3 yet
+    with without_warnings():  # that this is not in the specification of version 3 yet
         zarr().consolidate_metadata(str(folder))
 
 

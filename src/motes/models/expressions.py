@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import ast
 import difflib
-import warnings
 from collections.abc import Iterable
 from dataclasses import Field, fields
 from typing import Any, NamedTuple
@@ -16,6 +15,7 @@ from motes.errors import ParameterError
 from motes.models.base import BRDF, Sum
 from motes.models.naming import name_of, registered
 from motes.parameters import Parametrised, PartField
+from motes.quiet import without_warnings
 
 _MOST_PARTS = 64
 
@@ -52,8 +52,7 @@ def parse(text: str) -> Parsed:
     shown = repr(text if len(text) <= 200 else f"{text[:197]}...")
     fixed: set[tuple[str, ...]] = set()
     try:
-        with warnings.catch_warnings():  # about odd escapes and numbers, which are refused below
-            warnings.simplefilter("ignore")
+        with without_warnings():  # about odd escapes and numbers, which are refused below
             tree = ast.parse(text.strip(), mode="eval").body
         if sum(isinstance(node, ast.Name) for node in ast.walk(tree)) > _MOST_PARTS:
             raise ParameterError(f"model {shown} has more than {_MOST_PARTS} parts", _example())
