@@ -95,7 +95,9 @@ def fitting(path: Path) -> Callable[[], bytes]:
 
     def work() -> bytes:
         fit = motes.fit(motes.read(path).at(0), model="oren_nayar")
-        said = json.dumps({name: [np.asarray(p.value).tolist(), np.asarray(p.stderr).tolist()] for name, p in fit.parameters.items()})
+        said = json.dumps(
+            {name: [np.asarray(p.value).tolist(), np.asarray(p.stderr).tolist()] for name, p in fit.parameters.items()}
+        )
         return said.encode()
 
     return work

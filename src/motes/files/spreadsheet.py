@@ -263,7 +263,10 @@ def _opened(path: Path, *, data_only: bool) -> Iterator[Any]:
     book = None
     try:
         # It warns of what it will not write again (validation, conditional formats); nothing is written here.
-        with without_warnings(), path.open("rb") as file:  # by a handle: the library goes by the name's suffix otherwise
+        with (
+            without_warnings(),
+            path.open("rb") as file,
+        ):  # by a handle: the library goes by the name's suffix otherwise
             book = openpyxl.load_workbook(file, read_only=True, data_only=data_only, keep_links=False)
             yield book
     except (MotesError, MemoryError):
