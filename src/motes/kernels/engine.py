@@ -23,6 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 from motes.errors import DataError
 from motes.graph import tracing
 from motes.graph.recording import Kind, recorded
+from motes.kernels import grouped, grouping
 from motes.kernels import numba as numba_code
 from motes.kernels import numpy as numpy_code
 from motes.kernels.jobs import CHUNK, Array, Job, address, place, target_of
@@ -52,6 +53,8 @@ _PRINTERS = {
     "evaluation": (numba_code.evaluation, Kind.VALUE),
     "numbers": (numba_code.numbers, Kind.VALUE),
     "apart": (numba_code.apart, Kind.VALUE),
+    "group numbers": (grouped.numbers, Kind.VALUE),
+    "grouped": (grouped.evaluation, Kind.VALUE),
     "gradient": (numba_code.gradient, Kind.VALUE),
     "density": (numba_code.evaluation, Kind.DENSITY),
     "sampling": (numba_code.sampling, Kind.SAMPLE),
@@ -114,7 +117,7 @@ def evaluate(model: Parametrised, wi: ArrayLike, wo: ArrayLike, out: Array | Non
     target = target_of(out, shape, job)
     if job.count and job.apart and _worth_apart(job):
         _evaluate_apart(job, target)
-    elif job.count:
+    elif job.count and not (job.many and _evaluate_grouped(job, target)):
         _run("evaluation", job, *place(target))
     if out is None:
         return target.reshape(shape) if len(job.shape) != 1 else target
@@ -196,6 +199,12 @@ def _evaluate_apart(job: Job, target: Array) -> None:
     job.spread(-(-rows // at_once), work)
 
 
+def _evaluate_grouped(job: Job, target: Array) -> bool:
+    """Texels in groups of about the same value of a parameter, or False where that does not serve."""
+    kernels = _kernels_grouped(job)
+    return kernels is not None and grouping.evaluate(job, target, *kernels, lambda: _kernel("evaluation", job))
+
+
 def vjp(model: Parametrised, wi: ArrayLike, wo: ArrayLike, upstream: ArrayLike) -> dict[str, Array]:
     """Gradients by the parameters: the vector-Jacobian product of `evaluate`.
 
@@ -254,7 +263,13 @@ class _Kernel:
     _constants: Callable[..., tuple[Any, ...]]
     _pullback: Callable[..., tuple[Any, ...]]
     _scalar: np.dtype[Any]
-    width: int = 0
+    printed: Any
+    code: Any
+
+    @property
+    def width(self) -> int:
+        """How many numbers the driver computes at a place."""
+        return int(self.printed.width)
 
     def constants(self, value: Callable[[tracing.TracedParameter], float]) -> Array:
         """What the driver wants beforehand, from the values of parameters."""
@@ -272,6 +287,7 @@ class _Kernel:
 
 _kernels: dict[tuple[Any, ...], _Kernel] = {}
 _pairs: dict[tuple[Any, ...], tuple[_Kernel, _Kernel]] = {}
+_grouped: dict[tuple[Any, ...], tuple[_Kernel, _Kernel] | None] = {}
 _lock = threading.RLock()
 
 
@@ -318,13 +334,25 @@ def _kernels_apart(job: Job) -> tuple[_Kernel, _Kernel]:
     return pair
 
 
+def _kernels_grouped(job: Job) -> tuple[_Kernel, _Kernel] | None:
+    """The kernels of the numbers of groups, and of the groups; None where it is not worth it."""
+    key = (tracing.key(job.model, job.channels), job.varying)
+    if key not in _grouped:
+        with _lock:
+            trace = _trace("grouped", job)
+            worth = key not in _grouped and grouped.grouping(trace, job.varying) is not None
+            pair = (_made("group numbers", job, trace), _made("grouped", job, trace)) if worth else None
+            _grouped.setdefault(key, pair)
+    return _grouped[key]
+
+
 def _trace(kind: str, job: Job) -> tracing.Trace:
     found = recorded(_PRINTERS[kind][1], job.model, job.channels)
     return found or tracing.trace(job.model, job.channels)  # which says what is wrong
 
 
 def _made(kind: str, job: Job, trace: tracing.Trace) -> _Kernel:
-    scalar = np.dtype(np.float64) if kind == "numbers" else job.scalar
+    scalar = np.dtype(np.float64) if kind.endswith("numbers") else job.scalar
     printed = _PRINTERS[kind][0](trace, job.varying, scalar.name)
     uniform = tuple(p for p in trace.parameters if p.slot not in job.varying)
     names = {p.symbol: f"p{k}" for k, p in enumerate(uniform)}
@@ -334,10 +362,9 @@ def _made(kind: str, job: Job, trace: tracing.Trace) -> _Kernel:
     constants = numpy_code.scalar_function("constants", names, printed.constants)
     names |= {seed: f"d{k}" for k, seed in enumerate(seeds.values())}
     pullback = numpy_code.scalar_function("pullback", names, [slopes.get(p.symbol, zero) for p in uniform])
-    driver = getattr(
-        module(printed.source, f"the {kind} of {type(job.model).__name__} in {scalar.name}"), printed.driver
-    )
-    return _Kernel(driver, printed.varying, printed.totals, uniform, constants, pullback, scalar, printed.width)
+    code = module(printed.source, f"the {kind} of {type(job.model).__name__} in {scalar.name}")
+    driver = getattr(code, printed.driver)
+    return _Kernel(driver, printed.varying, printed.totals, uniform, constants, pullback, scalar, printed, code)
 
 
 def module(source: str, title: str, uses: Sequence[Any] = ()) -> Any:

@@ -22,6 +22,8 @@ CHUNK = 32 * TILE  # directions that a thread takes at a time
 LONG = TILE // 2
 # Rows with parameters of their own at least so long are computed one by one, with what depends on parameters alone computed once for each.
 SHORTEST_ROW = 32
+# From so many texels on what depends on one parameter alone may be computed for groups of them (`motes.kernels.grouped`).
+MANY = 16_384
 Array = NDArray[Any]
 
 
@@ -159,6 +161,12 @@ class Job:
         """Whether the parameters that vary are uniform over each row of the last axis, and rows are long enough for that to matter."""
         shapes = [_batch(self.slots[name]) for name in self.varying]
         return bool(shapes) and self.shape[-1] >= SHORTEST_ROW and all(shape[-1] == 1 for shape in shapes)
+
+    @cached_property
+    def many(self) -> bool:
+        """Whether there are so many texels in float32, one after the other, that they may be sorted by a parameter."""
+        flat = self.wi.ndim == self.wo.ndim == 2
+        return bool(self.varying) and self.scalar == np.float32 and self.count >= MANY and flat
 
     def of_rows(self, parameters: Sequence[TracedParameter]) -> Array:
         """The values (P, rows) of varying parameters that are uniform over each row of the last axis, in float64."""

@@ -181,7 +181,7 @@ def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
         ``"float32"`` or ``"float64"``.
     """
     span, constants, rows = _forward(trace, varying)
-    driver = _EVALUATE.format(signature=_signature(15), channels=len(trace.outputs))
+    driver = _EVALUATE.format(signature=signature(15), channels=len(trace.outputs))
     return Kernel(
         _module(trace, "Evaluates a reflectance model", scalar, span, driver), "evaluate", tuple(constants), tuple(rows)
     )
@@ -190,7 +190,7 @@ def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
 def sampling(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     """The kernel that chooses directions; its trace is that of a sample, and the rest as for `evaluation`."""
     span, constants, rows = _forward(trace, varying)
-    driver = _SAMPLE.format(signature=_signature(19), channels=len(trace.outputs) - 4)
+    driver = _SAMPLE.format(signature=signature(19), channels=len(trace.outputs) - 4)
     text = _module(trace, "Samples a reflectance model", scalar, span, driver)
     return Kernel(text, "sample", tuple(constants), tuple(rows))
 
@@ -198,7 +198,7 @@ def sampling(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
 def _forward(trace: Trace, varying: Collection[str]) -> tuple[str, list[Symbol], list[TracedParameter]]:
     """The loop that stores the outputs of a trace in rows ``f``, the constants it wants, and the parameters that vary."""
     rows, leaves = _leaves(trace, varying)
-    outputs = _without_division(trace.outputs, leaves)
+    outputs = without_division(trace.outputs, leaves)
     constants = tracing.frontier(outputs, tracing.dependence(outputs, leaves), PARAMETERS)
     loads, given = _given(trace, constants, rows)
     lines, results = statements(_target(outputs, _inputs(leaves)), outputs, given)
@@ -219,7 +219,7 @@ def numbers(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
 def apart(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     """The kernel that evaluates a model at rows of directions, with parameters that are uniform over each row."""
     kernel = evaluation(trace, (), scalar)
-    return Kernel(_joined(kernel.source, _APART.format(signature=_signature(15))), "apart", (), ())
+    return Kernel(joined(kernel.source, _APART.format(signature=signature(15))), "apart", (), ())
 
 
 def worth_apart(trace: Trace, varying: Collection[str]) -> bool:
@@ -232,7 +232,7 @@ def worth_apart(trace: Trace, varying: Collection[str]) -> bool:
 def _constants(trace: Trace) -> list[Symbol]:
     """What depends on parameters alone."""
     leaves = trace.leaves()
-    outputs = _without_division(trace.outputs, leaves)
+    outputs = without_division(trace.outputs, leaves)
     return tracing.frontier(outputs, tracing.dependence(outputs, leaves), PARAMETERS)
 
 
@@ -244,7 +244,7 @@ def gradient(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     """
     graph = trace.graph
     rows, leaves = _leaves(trace, varying)
-    outputs = _without_division(trace.outputs, leaves)
+    outputs = without_division(trace.outputs, leaves)
     seeds: dict[Symbol, Symbol] = {}
     seed_leaves = [graph.leaf(f"seed[{c}]") for c in range(len(outputs))]
     for output, seed in zip(outputs, seed_leaves, strict=True):  # channels of equal value are one symbol
@@ -274,14 +274,14 @@ def gradient(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
         for k in range(len(totals))
     ]
     span = _span("i, i_row, o, o_row, constants, varying, row, f, f_row, slopes, totals, count", before, body, after)
-    driver = _GRADIENT.format(signature=_signature(17), channels=len(seed_leaves))
+    driver = _GRADIENT.format(signature=signature(17), channels=len(seed_leaves))
     text = _module(trace, "Derivatives of a reflectance model", scalar, span, driver)
     return Kernel(text, "gradient", tuple(constants), tuple(rows), tuple(totals))
 
 
 def functions(scalar: str) -> str:
     """A module with the elementary functions alone, for tests and for looking at them."""
-    return _joined(_header("Elementary functions", scalar), elementary.source(elementary.PRECISIONS[scalar]))
+    return joined(_header("Elementary functions", scalar), elementary.source(elementary.PRECISIONS[scalar]))
 
 
 def _target(outputs: Sequence[Symbol], leaves: Collection[Symbol]) -> Target:
@@ -302,7 +302,7 @@ def _constant(value: float | bool) -> str:
     return repr(value) if isinstance(value, bool) else f"F({value!r})"
 
 
-def _without_division(outputs: Sequence[Symbol], leaves: Mapping[Symbol, int]) -> list[Symbol]:
+def without_division(outputs: Sequence[Symbol], leaves: Mapping[Symbol, int]) -> list[Symbol]:
     """Division by what is constant becomes multiplication by its inverse, one more constant: one rounding more, and much faster."""
     bits = tracing.dependence(outputs, leaves)
 
@@ -359,7 +359,7 @@ def _span(arguments: str, before: Sequence[str], body: Sequence[str], after: Seq
     return f"@part\ndef span({arguments}):\n    " + "\n    ".join(lines)
 
 
-def _signature(count: int) -> str:
+def signature(count: int) -> str:
     return ", ".join(["int64"] * count)
 
 
@@ -372,9 +372,9 @@ def _module(trace: Trace, title: str, scalar: str, span: str, driver: str) -> st
     needs = any(f"{name}(" in span for name in ELEMENTARY)
     title = f"{title}: generated by Motes, {len(trace.outputs)} output(s), {scalar}."
     functions = elementary.source(elementary.PRECISIONS[scalar]) if needs else ""
-    return _joined(_header(title, scalar), functions, _COLUMNS, span, driver)
+    return joined(_header(title, scalar), functions, _COLUMNS, span, driver)
 
 
-def _joined(*parts: str) -> str:
+def joined(*parts: str) -> str:
     """Parts of a module with two empty lines between them."""
     return "\n\n\n".join(part.strip("\n") for part in parts if part) + "\n"
