@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from enum import IntEnum
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -247,45 +247,37 @@ class TexelSolver(TexelSetup):
         asked = raw.state("asks") > 0
         for direct in (False, True):
             rows = np.flatnonzero(asked & (directly == direct))
-            if not len(rows):
-                continue
-            part, own = raw.rows(rows), None if noise is None else noise[rows]
-            kernel = self._kernel("direct" if direct else "moments", self.robust)
-            objective = part.state("objective")
-            if not direct and kernel is not self.kernel("cheapest", self.robust):
-                objective = kernel.fit(data[rows], part.points, limit=0, close=False).state("objective")
-            solved = Solved(
-                x=part.points,
-                value=part.values.astype(float),
-                stderr=part.errors.astype(float),
-                objective=objective,
-                noise=part.state("noise"),
-                brightness=part.state("brightness"),
-                verdicts=part.codes,
-            )
+            if len(rows):
+                part = raw.rows(rows)
+                self._judge_again(data[rows], part, None if noise is None else noise[rows], direct)
+                raw.codes[rows] = part.codes
 
-            def refit(
-                points: Floats,
-                held: NDArray[np.bool_],
-                fits: Rows,
-                kernel: Kernel = kernel,
-                rows: Rows = rows,
-                own: Floats | None = own,
-            ) -> Floats:
-                units = None if own is None else own[fits]
-                ends = kernel.fit(
-                    data[rows[fits]], points, noise=units, held=held, limit=REFIT_ITERATIONS, reduction=REFIT_REDUCTION, close=False
-                )  # fmt: skip
-                return ends.state("objective")
+    def _judge_again(self, data: Singles, raw: Raw, noise: Floats | None, direct: bool) -> None:
+        """The same of texels that were fitted by the direct form, or not."""
+        kernel = self._kernel("direct" if direct else "moments", self.robust)
+        objective = raw.state("objective")
+        if not direct and kernel is not self.kernel("cheapest", self.robust):
+            objective = kernel.fit(data, raw.points, limit=0, close=False).state("objective")
+        solved = Solved(
+            x=raw.points,
+            value=raw.values.astype(float),
+            stderr=raw.errors.astype(float),
+            objective=objective,
+            noise=raw.state("noise"),
+            brightness=raw.state("brightness"),
+            verdicts=raw.codes,
+        )
+        how: dict[str, Any] = {"limit": REFIT_ITERATIONS, "reduction": REFIT_REDUCTION, "close": False}
 
-            def diagonal(
-                points: Floats, fits: Rows, kernel: Kernel = kernel, rows: Rows = rows, own: Floats | None = own
-            ) -> Floats:
-                return kernel.diagonal(data[rows[fits]], points, None if own is None else own[fits])
+        def refit(points: Floats, held: NDArray[np.bool_], fits: Rows) -> Floats:
+            units = None if noise is None else noise[fits]
+            return kernel.fit(data[fits], points, noise=units, held=held, **how).state("objective")
 
-            with np.errstate(invalid="ignore"):
-                look_again(solved, self.facts, self.groups, refit, diagonal)
-            raw.codes[rows] = part.codes
+        def diagonal(points: Floats, fits: Rows) -> Floats:
+            return kernel.diagonal(data[fits], points, None if noise is None else noise[fits])
+
+        with np.errstate(invalid="ignore"):
+            look_again(solved, self.facts, self.groups, refit, diagonal)
 
     def finished(self, raw: Raw) -> TexelFit:
         """What callers want of what a kernel found."""
