@@ -26,7 +26,7 @@ from motes.trends import KINDS
 class Column(NamedTuple):
     """What a column of a parameter vector holds: a quantity, for a channel or all (None), and with trends which coefficient of its trend.
 
-    `value` says whether it is a value of the parameter (with trends: not a time or a share), `squared` whether fits move in its square.
+    `value` says whether it is a value of the parameter (with trends: not a time or a share).
     """
 
     quantity: str
@@ -34,7 +34,6 @@ class Column(NamedTuple):
     coefficient: str | None
     parameter: Parameter
     value: bool
-    squared: bool
 
 
 class TexelSetup:
@@ -115,13 +114,10 @@ def _columns(quantities: tuple[Quantity, ...], parts: tuple[Part, ...]) -> tuple
     for q, part in zip(quantities, parts or [None] * len(quantities), strict=True):
         own: list[int | None] = list(range(q.where.stop - q.where.start)) if q.per_channel else [None]
         if part is None:
-            columns += [Column(q.name, c, None, q.parameter, True, q.parameter.squared) for c in own]
+            columns += [Column(q.name, c, None, q.parameter, True) for c in own]
             continue
         for k in KINDS[part.kind].coefficients:
-            columns += [
-                Column(q.name, c, k.name, q.parameter, not k.bounds, part.squared)
-                for c in ([None] if k.bounds else own)
-            ]
+            columns += [Column(q.name, c, k.name, q.parameter, not k.bounds) for c in ([None] if k.bounds else own)]
     return tuple(columns)
 
 
