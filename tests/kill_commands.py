@@ -25,6 +25,7 @@ from motes.files import leftovers, settle
 VOLATILE = (
     re.compile(rb'"seconds": [0-9.e-]+'),
     re.compile(rb"\b[0-9]+\.?[0-9]* s\b"),
+    re.compile(rb"\b20[0-9]{2}:[01][0-9]:[0-3][0-9] [0-9:]{8}"),  # in OpenEXR
     re.compile(rb"\b20[0-9]{2}-[01][0-9]-[0-3][0-9]T[0-9:.]+"),
 )
 CSV = "theta_i_deg,phi_i_deg,theta_r_deg,phi_r_deg,R,G,B\n" + "".join(
@@ -69,6 +70,7 @@ JOBS: dict[str, Job] = {
         ("fit", "{inputs}/map.zarr", "-m", "lambert", "-o", "out.zarr", "--exr", "pictures"),
         before=(("fit", "{inputs}/map.zarr", "-m", "lambert", "-o", "out.zarr", "--no-report"),),
         needs="OpenImageIO",
+        resumes=True,  # a page, then pictures; these all or none
     ),
     "simulate": Job(("simulate", "out", "--scans", "2", "--step-deg", "30")),
     "simulate map": Job(("simulate", "out.zarr", "--size", "4", "--scans", "1"), needs="zarr"),
@@ -200,7 +202,7 @@ def state(own: Path) -> Callable[[], dict[str, str]]:
     """What is there for whoever comes next, a reader or a writer."""
 
     def look() -> dict[str, str]:
-        for folder in {own, own / "out"}:
+        for folder in {own, own / "out", own / "pictures"}:
             settle(folder)
         return visible(own)
 

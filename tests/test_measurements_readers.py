@@ -636,3 +636,23 @@ def test_other_packages_add_formats(tmp_path: Path, monkeypatch: pytest.MonkeyPa
             read(tmp_path / "b.bin", **option)
         for words in ("lab", "no module named broken", "wrong:READER is a int", "name of another format, merl"):
             assert words in str(caught.value)
+
+
+# ---------------------------------------------------------------- what a killed writer left
+
+
+@pytest.mark.parametrize("format", [None, "staf"])
+def test_a_folder_whose_writer_was_killed_is_read_whole(tmp_path: Path, format: str | None) -> None:
+    """All its files are there, some of them still in the hidden folder in which they were written: the first power of t would be missing."""
+    rng = np.random.default_rng(1)
+    maps = {name: rng.uniform(0, 1, (2, 4, 5, 1)).repeat(3, axis=3) for name in ("Diffuse", "Specular", "Roughness")}
+    folder = files.staf_folder(tmp_path / "staf", maps)
+    whole = read(folder, format=format).coefficients
+    decided = folder / ".motes-0123456789abcdef.decided"
+    decided.mkdir()
+    for name in maps:
+        (folder / f"{name}-1.exr").rename(decided / f"{name}-1.exr")
+    found = read(folder, format=format).coefficients
+    for name in maps:
+        np.testing.assert_array_equal(found[name], whole[name])
+    assert not decided.exists()

@@ -315,3 +315,32 @@ def test_turning_up_is_a_rotation() -> None:
         assert np.linalg.det(turn) == pytest.approx(1)
     with pytest.raises(MotesError, match="not a direction"):
         turn_to_y([0, 0, 0])
+
+
+WAYS = ("{0}", "{0}/{0}", "{0}/{0}/{0}", "{0}//{0}", "-{0}")
+
+
+@pytest.mark.parametrize("first", WAYS)
+@pytest.mark.parametrize("second", WAYS)
+def test_faces_of_obj_may_be_written_in_several_ways(tmp_path: Path, first: str, second: str) -> None:
+    """Counted together, corners of three numbers and of one looked like corners of two, and the mesh was another."""
+    places = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1], [2, 1, 0]])
+    lines = ["v {} {} {}".format(*row) for row in places] + ["vt 0.5 0.5"] * 6 + ["vn 0 0 1"] * 6
+    faces = [(1, 2, 3), (4, 5, 6), (2, 3, 4)]
+    ways = (first, second, first)
+    lines += ["f " + " ".join(way.format(k) for k in face) for way, face in zip(ways, faces, strict=True)]
+    (tmp_path / "a.obj").write_text("\n".join(lines))
+    found = read_mesh(tmp_path / "a.obj")
+    backwards = [np.array(face) if way[0] != "-" else 7 - np.array(face) for way, face in zip(ways, faces, strict=True)]
+    np.testing.assert_array_equal(found.positions[found.triangles], places[np.array(backwards) - 1])
+
+
+def test_an_obj_of_nothing_but_faces_is_counted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Seven bytes a triangle, of three vertices."""
+    text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n" * 20_000
+    (tmp_path / "a.obj").write_text(text)
+    monkeypatch.setattr("motes.files.budget.LEAST", 2**20)
+    with pytest.raises(FormatError, match=r"its 20,004 lines and 60,000 corners would take 6 MiB of memory"):
+        read_mesh(tmp_path / "a.obj")
+    monkeypatch.setenv("MOTES_LARGEST_MIB", "60")
+    assert len(read_mesh(tmp_path / "a.obj").triangles) == 20_000

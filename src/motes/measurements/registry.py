@@ -17,7 +17,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from motes.errors import FormatError, MotesError
-from motes.files import reading
+from motes.files import reading, settle
 from motes.measurements import (
     astm,
     bird,
@@ -285,6 +285,8 @@ def _exists(path: Path) -> bool:
         raise FormatError(f"{path} does not exist", "Check the path")
     if not (path.is_file() or path.is_dir()):  # a pipe or a device would never end
         raise FormatError(f"{path} is neither a file nor a folder", "Give a regular file or a folder")
+    if path.is_dir():
+        settle(path)  # what a writer that was killed had decided to write
     return True
 
 

@@ -7,14 +7,21 @@ such as faces that count backwards, is read line by line, and so is a file with 
 from __future__ import annotations
 
 import codecs
+from array import array
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from motes.errors import FormatError
+from motes.files import budget
 from motes.meshes.mesh import Mesh
 
+#: What the numbers of a corner are, by `_way`: of `_SIZES` the first, second, third.
+WRITTEN = {(0, False, False): (0,), (1, False, False): (0, 1), (2, False, False): (0, 1, 2), (2, True, False): (0, 2)}
+#: Bytes that a line takes, with its own numbers, and a corner of a face, as measured.
+LINE, CORNER = 120, 60
+FACES = 20_000  # that are split into words at a time
 Corner = tuple[int, int, int]
 _SIZES = {"v": 3, "vt": 2, "vn": 3}
 _MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
@@ -25,6 +32,8 @@ def read_obj(path: Path) -> Mesh:
     data = path.read_bytes()
     encoding = next((name for mark, name in _MARKS if data.startswith(mark)), "utf-8")
     lines = data.decode(encoding, "replace").replace("\r\n", "\n").replace("\r", "\n").replace("\\\n", " ").split("\n")
+    _check(path, data, lines)
+    del data
     try:
         found = _at_once(lines)
     except (ValueError, IndexError, OverflowError):
@@ -39,6 +48,13 @@ def read_obj(path: Path) -> Mesh:
     positions = picked("v", 0)
     assert positions is not None  # both readers have seen to it
     return Mesh(positions, triangles.astype(np.int32), picked("vn", 2), picked("vt", 1), name=path.stem)
+
+
+def _check(path: Path, data: bytes, lines: list[str]) -> None:
+    """Refuse what would take more memory than a file may."""
+    corners = sum(len(line.split()) - 1 for line in lines if line.lstrip()[:1] == "f")
+    needed = 2 * len(data) + LINE * len(lines) + CORNER * corners
+    budget.check(path, needed, f"its {len(lines):,} lines and {corners:,} corners", len(data))
 
 
 Parsed = tuple[dict[str, NDArray[np.float64]], NDArray[np.int64], NDArray[np.int64]]
@@ -59,29 +75,44 @@ def _at_once(lines: list[str]) -> Parsed | None:
     if not faces or unlike:
         return None
     counts = np.array([len(face.split()) for face in faces])
-    text = " ".join(faces)
-    corners, slashes, doubled = int(counts.sum()), text.count("/"), text.count("//")
-    shape = {(0, 0): (0,), (corners, 0): (0, 1), (2 * corners, 0): (0, 1, 2), (2 * corners, corners): (0, 2)}
-    places = shape.get((slashes, doubled))
-    if "-" in text or places is None or counts.min() < 3:
+    places = WRITTEN.get(_way(faces[0].split()[0])) if faces[0].strip() else None
+    if places is None or counts.min() < 3:
         return None
-    numbers = np.array(text.replace("/", " ").split(), np.int64)
-    given = numbers.reshape(corners, len(places)) - 1
-    index = np.full((corners, 3), -1, np.int64)
-    index[:, places] = given
     sizes = [len(arrays[kind]) for kind in _SIZES]
-    if (given < 0).any() or any((index[:, k] >= sizes[k]).any() for k in places):
-        raise IndexError
-    key = index[:, 0]
-    for k in (1, 2):
-        key = key * (sizes[k] + 1) + index[:, k] + 1
     if np.prod([float(n + 1) for n in sizes]) > 2**62:
         return None
+    key = np.empty(
+        int(counts.sum()), np.int64
+    )  # of a corner: its position, texture coordinate and normal in one number
+    at = 0
+    for some in range(0, len(faces), FACES):
+        words = " ".join(faces[some : some + FACES]).split()
+        if any(WRITTEN.get(_way(word)) != places for word in words):
+            return None
+        words = " ".join(words).replace("/", " ").split()
+        given = np.array(words, np.int64).reshape(-1, len(places)) - 1
+        if (given < 0).any() or any((column >= sizes[k]).any() for k, column in zip(places, given.T, strict=True)):
+            raise IndexError
+        key[at : at + len(given)] = 0
+        for k, n in enumerate(sizes):
+            column = given[:, places.index(k)] if k in places else -1
+            key[at : at + len(given)] = key[at : at + len(given)] * (n + 1) + column + 1
+        at += len(given)
     _, first, inverse = np.unique(key, return_index=True, return_inverse=True)
     order = np.argsort(first, kind="stable")  # vertices in the order in which faces name them
     rank = np.empty_like(order)
     rank[order] = np.arange(len(order))
-    return arrays, index[first[order]], fans(counts, rank[inverse.reshape(-1)])
+    rest, found = key[first[order]], []
+    for n in reversed(sizes):
+        found.append(rest % (n + 1) - 1)
+        rest = rest // (n + 1)
+    del key, first
+    return arrays, np.stack(found[::-1], axis=1), fans(counts, rank[inverse.reshape(-1)])
+
+
+def _way(corner: str) -> tuple[int, bool, bool]:
+    """How a corner is written: with how many slashes, with two in a row, counting backwards."""
+    return corner.count("/"), "//" in corner, "-" in corner
 
 
 def fans(counts: NDArray[np.int64], corners: NDArray[np.int64]) -> NDArray[np.int64]:
@@ -95,9 +126,9 @@ def fans(counts: NDArray[np.int64], corners: NDArray[np.int64]) -> NDArray[np.in
 
 
 def _line_by_line(path: Path, lines: list[str]) -> Parsed:
-    tables: dict[str, list[list[float]]] = {"v": [], "vt": [], "vn": []}
+    tables = {kind: array("d") for kind in _SIZES}
     found: dict[Corner, int] = {}
-    triangles: list[tuple[int, int, int]] = []
+    triangles = array("q")
     for number, line in enumerate(lines, 1):
         words = line.partition("#")[0].split()
         if not words:
@@ -105,34 +136,37 @@ def _line_by_line(path: Path, lines: list[str]) -> Parsed:
         kind = words[0]
         try:
             if kind in tables:
-                tables[kind].append([float(w) for w in words[1 : 1 + _SIZES[kind]]])
-                if len(tables[kind][-1]) != _SIZES[kind]:
+                given = [float(w) for w in words[1 : 1 + _SIZES[kind]]]
+                if len(given) != _SIZES[kind]:
                     raise ValueError
+                tables[kind].extend(given)
             elif kind == "f":
-                corners = [found.setdefault(_corner(w, tables), len(found)) for w in words[1:]]
+                sizes = [len(tables[each]) // n for each, n in _SIZES.items()]
+                corners = [found.setdefault(_corner(w, sizes), len(found)) for w in words[1:]]
                 if len(corners) < 3:
                     raise ValueError
-                triangles += [(corners[0], corners[k], corners[k + 1]) for k in range(1, len(corners) - 1)]
+                for k in range(1, len(corners) - 1):
+                    triangles.extend((corners[0], corners[k], corners[k + 1]))
         except (ValueError, IndexError):
             raise FormatError(
                 f"{path} has in line {number} {line.strip()[:60]!r}", "That is not OBJ; export it again"
             ) from None
     index = np.array(list(found), np.int64).reshape(-1, 3)  # position, texture, normal; -1 where there is none
-    arrays = {kind: np.array(rows, np.float64).reshape(-1, _SIZES[kind]) for kind, rows in tables.items()}
+    arrays = {kind: np.array(rows).reshape(-1, _SIZES[kind]) for kind, rows in tables.items()}
     return arrays, index, np.array(triangles, np.int64).reshape(-1, 3)
 
 
-def _corner(word: str, tables: dict[str, list[list[float]]]) -> Corner:
+def _corner(word: str, sizes: list[int]) -> Corner:
     """``7``, ``7/3``, ``7//5`` or ``7/3/5`` as indices from 0; negative ones count from the last line so far."""
     parts = (*word.split("/"), "", "")[:3]
     indices = []
-    for part, kind in zip(parts, tables, strict=True):
-        if not part and kind != "v":
+    for k, (part, n) in enumerate(zip(parts, sizes, strict=True)):
+        if not part and k > 0:
             indices.append(-1)
             continue
-        n, given = len(tables[kind]), int(part)
-        k = given - 1 if given > 0 else n + given
-        if not 0 <= k < n or given == 0:
+        given = int(part)
+        at = given - 1 if given > 0 else n + given
+        if not 0 <= at < n or given == 0:
             raise IndexError
-        indices.append(k)
+        indices.append(at)
     return indices[0], indices[1], indices[2]
