@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from motes.files import budget
+from motes.files import budget, write_json
 
 GOOD = ("read", "refused")
 
@@ -54,7 +54,7 @@ class Outcome:
 def keep(path: Path, results: dict[str, Outcome], seed: int) -> None:
     """Write what came out for each format."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps({"seed": seed, "formats": {name: vars(o) for name, o in results.items()}}, indent=1))
+    write_json(path, {"seed": seed, "formats": {name: vars(o) for name, o in results.items()}})
 
 
 def kept(path: Path, seed: int) -> dict[str, Outcome]:
