@@ -45,6 +45,7 @@ def test_every_package_named_by_an_extra_is_on_the_page(tool: ModuleType) -> Non
         "scale",
         "render",
         "materialx",
+        "usd",
         "notebook",
         "glsl",
     ):

@@ -22,7 +22,7 @@ def dust(
     mesh: str,
     /,
     *,
-    days: float,
+    days: str,
     growth_per_day: float | None = None,
     material: str | None = None,
     up: str = "y",
@@ -44,7 +44,7 @@ def dust(
     """Let dust settle on a mesh: more on what lies level and open, none under a table.
 
     Writes the optical thickness tau at the vertices (a PLY file with the property tau) or as a texture (EXR or PFM), or the
-    mesh as it looks, in glTF (GLB).
+    mesh as it looks, in glTF (GLB) or USD.
     The amount on a level, open surface is days x growth-per-day, or that of a material's own dust.
 
     Parameters
@@ -52,7 +52,7 @@ def dust(
     mesh
         A PLY, OBJ, STL or glTF file, or sphere, plane, bunny or teapot.
     days
-        Since the surface was clean.
+        Since the surface was clean; several, such as 0,30,90, for USD, where each is a frame.
     growth_per_day
         tau a day on a level, open surface; 0.005 when not given, about what mirrors of solar plants gather.
     material
@@ -84,11 +84,13 @@ def dust(
     seed
         Of the noise.
     output
-        NAME.ply for tau at the vertices, NAME.glb for glTF with the dust as colours, NAME.exr or NAME.pfm for a texture; MESH-dusty.ply when not given.
+        NAME.ply for tau at the vertices, NAME.glb for glTF with the dust as colours, NAME.usda, .usdc or .usdz for USD, NAME.exr or NAME.pfm for a
+        texture; MESH-dusty.ply when not given.
     """
     from motes.cli import console, paths
     from motes.cli.options import numbers
     from motes.errors import MotesError
+    from motes.exports import usd_library as usd
     from motes.files.finding import existing
     from motes.meshes.ply import write_ply
     from motes.meshes.subdivision import refine as refined
@@ -97,16 +99,23 @@ def dust(
     from motes.rendering.wiping import read_mask
 
     file = Path(output) if output is not None else Path(f"{paths.slug(Path(mesh).stem)}-dusty.ply")
-    if file.suffix.lower() not in (".ply", ".glb", *SUFFIXES):
+    suffix = file.suffix.lower()
+    if suffix not in (".ply", ".glb", *usd.SUFFIXES, *SUFFIXES):
         raise MotesError(
-            f"{file} is neither a mesh nor a texture by its name", "Write -o NAME.ply, NAME.glb, NAME.exr or NAME.pfm"
+            f"{file} is neither a mesh nor a texture by its name",
+            "Write -o NAME.ply, NAME.glb, NAME.usda, NAME.usdz, NAME.exr or NAME.pfm",
         )
+    if suffix in usd.SUFFIXES:
+        usd.library()  # what is missing is said before the work
+    moments = _days(days, several=suffix in usd.SUFFIXES)
+    last = moments[-1]
     if material is not None and growth_per_day is not None:
         raise MotesError("both --material and --growth-per-day were given", "Give one of them")
     options = settled_options(numbers(set, "--set"))
     covered = None if material is None else paths.material_of(material)
     rate = GROWTH_PER_DAY if growth_per_day is None else growth_per_day
-    level = open_tau(days, growth_per_day=rate, material=covered)
+    levels = [open_tau(day, growth_per_day=rate, material=covered) for day in moments]
+    level = levels[-1]
     notes: tuple[str, ...] = ()
     if not 0 <= refine <= 8:
         raise MotesError(f"--refine {refine} is outside [0, 8]", "Each step makes four times the triangles")
@@ -124,12 +133,19 @@ def dust(
         **options,
     }
     with console.progress(common, f"dust on {shape.name}") as step:
-        if file.suffix.lower() in (".ply", ".glb"):
-            tau: NDArray[np.floating[Any]] = deposit(shape, progress=step, **arguments).tau(level)
-            told = f"tau of dust after {days:g} days, {level:.6g} where level and open; made by motes dust"
+        if suffix not in SUFFIXES:
+            settled = deposit(shape, progress=step, **arguments)
+            tau: NDArray[np.floating[Any]] = settled.tau(level)
+            told = f"tau of dust after {last:g} days, {level:.6g} where level and open; made by motes dust"
             dusty = shape.with_attribute("tau", tau)
-            if file.suffix.lower() == ".glb":
-                notes = _write_glb(file, dusty, dusted(days, growth_per_day=rate, material=covered), told)
+            if suffix == ".glb":
+                notes = _write_glb(file, dusty, dusted(last, growth_per_day=rate, material=covered), told)
+            elif suffix in usd.SUFFIXES:
+                from motes.exports.usd_dust import write_usd
+
+                then = [(day, settled.tau(each)) for day, each in zip(moments, levels, strict=True)]
+                model = dusted(last, growth_per_day=rate, material=covered)
+                notes = write_usd(file, shape, model, then, told, up=arguments["up"], progress=step)
             else:
                 # Mitsuba's own reader takes numbers whose names end so; it calls the attribute vertex_tau.
                 write_ply(file, dusty.with_attribute("tau_0", tau), (told,))
@@ -138,7 +154,7 @@ def dust(
             picture = baked.texture(level)
             tau = picture[baked.covered]
             write_texture(file, picture)
-    _report(file, shape, tau, days, level, notes, common)
+    _report(file, shape, tau, last, level, notes, common, dict(zip(moments, levels, strict=True)))
     if level > 0 and float(tau.max()) == 0:
         console.warn(_nowhere(shape))
     return 0
@@ -168,11 +184,13 @@ def _report(
     level: float,
     said: tuple[str, ...],
     common: Common,
+    moments: dict[float, float],
 ) -> None:
     from motes.cli import console
+    from motes.rendering.baking import SUFFIXES
 
     suffix = file.suffix.lower()
-    is_mesh = suffix in (".ply", ".glb")
+    is_mesh = suffix not in SUFFIXES
     places = "vertices" if is_mesh else "texels"
     facts = {"min": float(tau.min()), "mean": float(tau.mean()), "max": float(tau.max())}
     if common.json:
@@ -184,6 +202,7 @@ def _report(
                 "triangles": len(shape.triangles),
                 "days": days,
                 "open_tau": level,
+                "moments": [{"days": day, "open_tau": each} for day, each in moments.items()],
                 "tau": facts,
                 "notes": [*shape.notes, *said],
             }
@@ -193,7 +212,10 @@ def _report(
             [
                 ("mesh", f"{shape.name}: {len(shape.positions)} vertices, {len(shape.triangles)} triangles"),
                 *(("note", note) for note in (*shape.notes, *said)),
-                ("dust", f"tau = {level:.4g} where it is level and open, after {days:g} days"),
+                *(
+                    ("dust", f"tau = {each:.4g} where it is level and open, after {day:g} days")
+                    for day, each in moments.items()
+                ),
                 ("tau", f"{facts['min']:.3g} to {facts['max']:.3g}, mean {facts['mean']:.3g} over {len(tau)} {places}"),
                 ("written", str(file)),
                 *([("next", f"motes render MATERIAL --scene {file} -o picture.png")] if suffix == ".ply" else []),
@@ -210,6 +232,18 @@ def mesh_of(name: str, outwards: bool = False) -> Mesh:
     if name in SHAPES and not Path(name).exists():
         return SHAPES[name]()
     return read_mesh(existing(name), outwards=outwards)
+
+
+def _days(text: str, several: bool) -> list[float]:
+    """``30``, or where several are taken ``0,30,90``."""
+    from motes.errors import MotesError
+
+    days = _numbers(text, "--days", "Write --days 30, or for USD --days 0,30,90")
+    if not days or sorted(set(days)) != days:
+        raise MotesError(f"--days {text!r} do not increase", "Give each once, such as 0,30,90")
+    if len(days) > 1 and not several:
+        raise MotesError(f"--days {text!r} are {len(days)} moments", "USD holds several: -o NAME.usda")
+    return days
 
 
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
@@ -231,13 +265,13 @@ def vector(text: str, option: str) -> tuple[float, ...]:
     return tuple(values)
 
 
-def _numbers(text: str, option: str) -> list[float]:
+def _numbers(text: str, option: str, hint: str = "") -> list[float]:
     from motes.errors import MotesError
 
     try:
         return [float(word) for word in text.replace(",", " ").split()]
     except ValueError:
-        raise MotesError(f"{option} {text!r} is not numbers", f"Write {option} 0,0.6,0.8") from None
+        raise MotesError(f"{option} {text!r} is not numbers", hint or f"Write {option} 0,0.6,0.8") from None
 
 
 def _stroke(text: str) -> Stroke:

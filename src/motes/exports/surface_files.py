@@ -11,6 +11,9 @@ from motes.exports.surface_fit import LIGHTINGS, SurfaceFit
 from motes.models import describe
 from motes.version import __version__
 
+#: The category of each surface's node.
+NODES = {"OpenPBR": "open_pbr_surface", "StandardSurface": "standard_surface", "GltfSurface": "gltf_pbr"}
+
 
 def names(fits: Sequence[SurfaceFit]) -> list[str]:
     """A name for each moment: the material's, with the time where there are several."""

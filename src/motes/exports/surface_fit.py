@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,7 @@ from motes.fitting.conversion import Conversion, convert
 from motes.models import BRDF, Surface
 
 Floats = NDArray[np.float64]
+S = TypeVar("S", bound=Surface)
 
 #: A surface with more parameters is taken where it is nearer than this share of the simpler one's distance.
 CLEARLY = 0.95
@@ -95,7 +97,13 @@ class SurfaceFit:
         }
 
 
-def fit_surface(what: Subject, surface: type[Surface]) -> SurfaceFit:
+def fit_surface(
+    what: Subject,
+    surface: type[S],
+    texts: tuple[str, ...] = (),
+    made: Callable[[S], S] | None = None,
+    clearly: float = CLEARLY,
+) -> SurfaceFit:
     """The parameters of a surface with which it looks most like a material.
 
     The cube root of what a light makes visible is compared, over lights from everywhere and over what a picture shows of the surface.
@@ -106,6 +114,12 @@ def fit_surface(what: Subject, surface: type[Surface]) -> SurfaceFit:
         A material at a moment, of one or three channels.
     surface
         The kind of surface.
+    texts
+        What of it is fitted, the simplest first; its `candidates` when not given.
+    made
+        What becomes of a fitted surface where a program has less.
+    clearly
+        A later text is taken where it is nearer than this share of the earlier one's distance.
 
     Raises
     ------
@@ -116,11 +130,11 @@ def fit_surface(what: Subject, surface: type[Surface]) -> SurfaceFit:
     """
     what.colored(surface.program)
     best: Conversion | None = None
-    for text in surface.candidates:
+    for text in texts or surface.candidates:
         fitted = convert(what.brdf, text, loss="cube_root").brdf
-        assert isinstance(fitted, Surface)
-        found = Conversion.between(what.brdf, fitted.canonical())
-        if best is None or found.seen < CLEARLY * best.seen:
+        assert isinstance(fitted, surface)
+        found = Conversion.between(what.brdf, made(fitted) if made else fitted.canonical())
+        if best is None or found.seen < clearly * best.seen:
             best = found
     assert best is not None
     assert isinstance(best.brdf, surface)

@@ -6,13 +6,11 @@ import xml.etree.ElementTree as ElementTree
 from collections.abc import Sequence
 from pathlib import Path
 
+from motes.exports import usd_library, usd_surfaces
 from motes.exports.materialx import VERSION
-from motes.exports.surface_files import comment, names, rounded
+from motes.exports.surface_files import NODES, comment, names, rounded
 from motes.exports.surface_fit import SurfaceFit
 from motes.files import write_text
-
-#: The category of each surface's node.
-NODES = {"OpenPBR": "open_pbr_surface", "StandardSurface": "standard_surface", "GltfSurface": "gltf_pbr"}
 
 
 def document(fits: Sequence[SurfaceFit]) -> str:
@@ -37,5 +35,7 @@ def document(fits: Sequence[SurfaceFit]) -> str:
 
 
 def write(fits: Sequence[SurfaceFit], path: Path) -> Path:
-    """Write the document."""
+    """Write the document; as USD where the file is called so."""
+    if path.suffix.lower() in usd_library.SUFFIXES:
+        return usd_surfaces.write_fits(fits, path)
     return write_text(path, document(fits))

@@ -13,6 +13,7 @@ import numpy as np
 
 from motes.errors import ParameterError
 from motes.exports.subject import Subject, identifier, subject
+from motes.exports.usd_library import SUFFIXES as USD_SUFFIXES
 from motes.files import together, write_text
 from motes.measurements.measurement import Measurement
 
@@ -84,11 +85,23 @@ TARGETS: dict[str, Target] = {
 #: Programs with a surface of their own, whose parameters are fitted: the kind of surface (of `motes.models`) besides.  Each holds several moments.
 SURFACES: dict[str, tuple[Target, str]] = {
     "openpbr": (
-        Target("OpenPBR in MaterialX: its parameters, fitted", ".mtlx", "surface_nodes", over_time=True),
+        Target(
+            "OpenPBR in MaterialX or USD: its parameters, fitted",
+            ".mtlx",
+            "surface_nodes",
+            over_time=True,
+            others=USD_SUFFIXES,
+        ),
         "OpenPBR",
     ),
     "standard_surface": (
-        Target("Standard Surface in MaterialX: its parameters, fitted", ".mtlx", "surface_nodes", over_time=True),
+        Target(
+            "Standard Surface in MaterialX or USD: its parameters, fitted",
+            ".mtlx",
+            "surface_nodes",
+            over_time=True,
+            others=USD_SUFFIXES,
+        ),
         "StandardSurface",
     ),
     "gltf": (
@@ -229,7 +242,10 @@ def _fitted(module: Any, kind: str, moments: Sequence[Subject], file: Path) -> E
     from motes import models
     from motes.exports import surface_files, surface_picture
     from motes.exports.surface_fit import fit_surface
+    from motes.exports.usd_library import library as usd_library
 
+    if file.suffix.lower() in USD_SUFFIXES:
+        usd_library()  # what is missing is said before the work
     fits = [fit_surface(what, getattr(models, kind)) for what in moments]
     beside = {
         f"{file.stem}_fit.json": surface_files.record(fits),
