@@ -16,6 +16,7 @@ from motes.fitting.texel_forms import Forms
 from motes.fitting.texel_kernel import Recorded
 from motes.fitting.texels import TexelSolver, TexelStatus
 from motes.graph import tracing
+from motes.kernels import engine
 
 Floats = NDArray[np.float64]
 PAINT = "oren_nayar + torrance_sparrow"
@@ -169,6 +170,23 @@ def test_it_serves_texels_that_miss_nothing_alone(forms: Forms, solver: TexelSol
         np.testing.assert_array_equal(getattr(mixed, name)[missing], getattr(other, name)[missing])
     assert solver.finished(mixed).status[5] == TexelStatus.NO_DATA
     np.testing.assert_array_equal(forms.quick.fit(holes, start).state("partial"), missing)
+
+
+def test_a_form_is_compiled_when_a_texel_needs_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[str] = []
+    compiled = engine.module
+    monkeypatch.setattr(engine, "module", lambda source, *rest: asked.append(source) or compiled(source, *rest))
+    solver = TexelSolver(PAINT, WI, WO, 3)
+    forms = solver.kernel("cheapest")
+    assert isinstance(forms, Forms)
+    assert not asked
+    start = solver.coordinates(np.repeat([[0.5, 0.5, 0.5, 0.4, 0.2, 0.2]], 8, axis=0))
+    values = _noisy(_rendered(_truth(8)))
+    forms.fit(values, start)
+    assert asked == [forms.quick.source]
+    values[2, 7] = np.nan
+    forms.fit(values, start)
+    assert asked == [forms.quick.source, forms.other.source]
 
 
 def test_a_highlight_narrower_than_the_samples_is_fitted_by_the_other_form(forms: Forms, solver: TexelSolver) -> None:
