@@ -1,4 +1,4 @@
-"""Running printed shaders: GLSL through moderngl, WGSL through wgpu, C through a compiler.  Each is skipped, by name, where its tool is missing."""
+"""Running printed shaders as `motes certify` does, but C through a compiler that warns of nothing.  Each is skipped, by name, where its tool is missing."""
 
 from __future__ import annotations
 
@@ -12,10 +12,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from motes.certification import glsl_specimen
+from motes.certification import glsl_specimen, shader_runs
+from motes.certification.shader_runs import run_glsl, run_wgsl
 from motes.errors import MotesError
 from motes.exports.shaders import Shader
 
+__all__ = ["checked", "open_gl", "open_gpu", "run_c", "run_glsl", "run_hlsl", "run_wgsl", "tool"]
 Directions = NDArray[np.float32]
 
 
@@ -34,7 +36,7 @@ def checked(*command: str | Path) -> str:
     return done.stdout + done.stderr
 
 
-# ---------------------------------------------------------------- GLSL
+# ---------------------------------------------------------------- OpenGL, WebGPU
 
 
 def open_gl() -> Any:
@@ -46,106 +48,19 @@ def open_gl() -> Any:
         pytest.skip(f"no OpenGL 4.3 without a window here (EGL, llvmpipe): {error}")
 
 
-def run_glsl(context: Any, shader: Shader, version: str, wi: Directions, wo: Directions) -> NDArray[np.float32]:
-    """The values of a shader, a pixel a pair of directions; (N, channels shown)."""
-    uniforms = {uniform.name: uniform.value for uniform in shader.uniforms}
-    call = "motes_a, motes_b"
-    if shader.channels in (1, 3):
-        picture = glsl_specimen.pixels(
-            context, shader.source, version, f"pixel = vec4({shader.name}({call}), 1.0);", uniforms, wi, wo
-        )
-        return picture[:, :3]
-    each = []
-    for channel in range(shader.channels):
-        result = f"float f[{shader.channels}]; {shader.name}({call}, f); pixel = vec4(f[channel]);"
-        source = f"{shader.source}\nuniform int channel;\n"  # a constant would let the compiler shorten the arrays
-        with_channel = uniforms | {"channel": channel}
-        each.append(glsl_specimen.pixels(context, source, version, result, with_channel, wi, wo)[:, :1])
-    return np.concatenate(each, axis=1)
-
-
-# ---------------------------------------------------------------- WGSL
-
-
 def open_gpu() -> Any:
     """A WebGPU device."""
-    wgpu = pytest.importorskip("wgpu", reason="wgpu is not installed")
+    pytest.importorskip("wgpu", reason="wgpu is not installed")
     try:
-        return wgpu.gpu.request_adapter_sync(power_preference="low-power").request_device_sync()
-    except Exception as error:
+        return shader_runs.open_gpu()
+    except MotesError as error:
         pytest.skip(f"no WebGPU adapter here (Vulkan, lavapipe): {error}")
 
 
-def run_wgsl(device: Any, shader: Shader, parameters: bytes, wi: Directions, wo: Directions) -> NDArray[np.float32]:
-    """The values of a shader, an invocation a pair of directions; (N, channels)."""
-    stride = max(3, shader.channels)
-    main = f"""
-@group(1) @binding(0) var<storage, read> lights: array<vec4<f32>>;
-@group(1) @binding(1) var<storage, read> viewers: array<vec4<f32>>;
-@group(1) @binding(2) var<storage, read_write> values: array<f32>;
-@compute @workgroup_size(64)
-fn main(@builtin(global_invocation_id) id: vec3<u32>) {{
-    var f = {shader.name}(lights[id.x].xyz, viewers[id.x].xyz);
-    for (var c = 0u; c < {stride}u; c++) {{ values[id.x * {stride}u + c] = f[c]; }}
-}}"""
-    return _computed(device, shader.source + main, parameters, wi, wo, stride)
-
-
-def run_hlsl(
-    device: Any, shader: Shader, parameters: bytes, wi: Directions, wo: Directions, folder: Path
-) -> NDArray[np.float32]:
-    """The same for HLSL, which becomes SPIR-V by glslang."""
-    glslang = tool("glslangValidator")
-    stride = max(3, shader.channels)
-    result = f"float f[{stride}]" if shader.channels not in (1, 3) else "float3 f ="
-    call = f"{shader.name}(lights[id.x].xyz, viewers[id.x].xyz"
-    call = f"{result}; {call}, f);" if shader.channels not in (1, 3) else f"{result} {call});"
-    main = f"""
-[[vk::binding(0, 1)]] StructuredBuffer<float4> lights;
-[[vk::binding(1, 1)]] StructuredBuffer<float4> viewers;
-[[vk::binding(2, 1)]] RWStructuredBuffer<float> values;
-[numthreads(64, 1, 1)]
-void main(uint3 id : SV_DispatchThreadID) {{
-    {call}
-    for (int c = 0; c < {stride}; ++c) values[id.x * {stride} + c] = f[c];
-}}
-"""
-    source, binary = folder / "run.hlsl", folder / "run.spv"
-    source.write_text(shader.source + main, encoding="utf-8")
-    checked(glslang, "-D", "-S", "comp", "-e", "main", "-V", source, "-o", binary)
-    return _computed(device, binary.read_bytes(), parameters, wi, wo, stride)
-
-
-def _computed(
-    device: Any, code: str | bytes, parameters: bytes, wi: Directions, wo: Directions, stride: int
-) -> NDArray[np.float32]:
-    """What the entry point ``main`` of a module in WGSL or SPIR-V puts into its output."""
-    import wgpu
-
-    module = device.create_shader_module(code=code)
-    pipeline = device.create_compute_pipeline(layout="auto", compute={"module": module, "entry_point": "main"})
-    storage, uniform = wgpu.BufferUsage.STORAGE, wgpu.BufferUsage.UNIFORM
-    inputs = [
-        device.create_buffer_with_data(data=np.pad(w, ((0, 0), (0, 1))).astype("f4"), usage=storage) for w in (wi, wo)
-    ]
-    output = device.create_buffer(size=4 * stride * len(wi), usage=storage | wgpu.BufferUsage.COPY_SRC)
-    constants = device.create_buffer_with_data(data=parameters, usage=storage | uniform)
-    groups = [
-        device.create_bind_group(
-            layout=pipeline.get_bind_group_layout(k),
-            entries=[{"binding": b, "resource": {"buffer": x, "offset": 0, "size": x.size}} for b, x in enumerate(g)],
-        )
-        for k, g in enumerate(([constants], [*inputs, output]))
-    ]
-    encoder = device.create_command_encoder()
-    work = encoder.begin_compute_pass()
-    work.set_pipeline(pipeline)
-    for k, group in enumerate(groups):
-        work.set_bind_group(k, group)
-    work.dispatch_workgroups(len(wi) // 64)
-    work.end()
-    device.queue.submit([encoder.finish()])
-    return np.frombuffer(device.queue.read_buffer(output), "f4").reshape(len(wi), stride)
+def run_hlsl(device: Any, shader: Shader, parameters: bytes, wi: Directions, wo: Directions) -> NDArray[np.float32]:
+    """The values of a shader in HLSL, which becomes SPIR-V by glslang."""
+    tool("glslangValidator")
+    return shader_runs.run_hlsl(device, shader, parameters, wi, wo)
 
 
 # ---------------------------------------------------------------- C

@@ -61,7 +61,7 @@ def test_no_model_raises_a_false_alarm(entry: Entry) -> None:
     names = [finding.name for finding in found.findings]
     assert names == (["energy"] if entry.name == "oren_nayar_nearly_smooth" else []), found.findings
     assert found.ok
-    assert all(check.outcome is not Outcome.NOT_JUDGED for check in found.checks)
+    assert [check.name for check in found.checks if check.outcome is Outcome.NOT_JUDGED] == ["exports"]  # not asked for
 
 
 def test_brightness_is_no_brdf_and_says_so() -> None:

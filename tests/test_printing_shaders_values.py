@@ -80,9 +80,9 @@ def test_glsl_is_valid(name: str, version: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ALL)
-def test_hlsl_against_numpy(gpu: Any, name: str, tmp_path: Path) -> None:
+def test_hlsl_against_numpy(gpu: Any, name: str) -> None:
     model = ALL[name]
-    check(name, run_hlsl(gpu, hlsl.shader(model), hlsl.pack(model), WI, WO, tmp_path), expected(model, WI, WO))
+    check(name, run_hlsl(gpu, hlsl.shader(model), hlsl.pack(model), WI, WO), expected(model, WI, WO))
 
 
 @pytest.mark.parametrize("name", ALL)

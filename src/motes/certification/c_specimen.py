@@ -53,7 +53,7 @@ def of_c(path: Path, source: str, function: str, parameters: Mapping[str, Any], 
         lines += _loop(sample, "motes_certified_sample", parameters, 3)
     if density is not None:
         lines += _loop(density, "motes_certified_pdf", parameters, 1)
-    library, version = _compiled("\n".join(lines) + "\n", path)
+    library, version = compiled("\n".join(lines) + "\n", path)
 
     def value(wi: Floats, wo: Floats) -> Floats:
         pair = _angles(wi, wo) if _by_angles(main) else (wi, wo)
@@ -170,7 +170,16 @@ def _sampler(function: Any, scalar: str) -> Callable[[Floats, Floats], Drawn]:
 # ---------------------------------------------------------------- compiling
 
 
-def _compiled(text: str, path: Path) -> tuple[ctypes.CDLL, str]:
+def compiled(text: str, path: Path) -> tuple[ctypes.CDLL, str]:
+    """A library made of a text in C, and the compiler's version; `path` is what errors call it.
+
+    Raises
+    ------
+    FormatError
+        When it does not compile.
+    MotesError
+        When there is no compiler.
+    """
     compiler = next((found for name in COMPILERS if (found := shutil.which(name))), None)
     if compiler is None:
         raise MotesError(f"there is no compiler for C ({', '.join(COMPILERS)})", "Install gcc or clang")

@@ -62,7 +62,8 @@ class Check:
     Attributes
     ----------
     name
-        ``values``, ``energy``, ``reciprocity``, ``sampling``, ``gradients``, ``precision`` or ``conventions``.
+        ``values``, ``energy``, ``reciprocity``, ``sampling``, ``gradients``, ``precision``, ``conventions`` or
+        ``exports``.
     says
         The result in a sentence, or why it was not judged.
     findings

@@ -13,6 +13,7 @@ import numpy as np
 from motes.certification.certificate import Certificate, Check
 from motes.certification.check_conventions import check_conventions
 from motes.certification.check_energy import check_energy
+from motes.certification.check_exports import check_exports
 from motes.certification.check_gradients import check_gradients
 from motes.certification.check_precision import check_precision
 from motes.certification.check_reciprocity import check_reciprocity
@@ -37,6 +38,7 @@ def certify(
     cosine: bool = False,
     name: str = "",
     hours: float | None = None,
+    exports: bool = False,
     date: str | None = None,
 ) -> Certificate:
     """Prove that something reflects as a BRDF must, or find its fault and what it probably is.
@@ -66,6 +68,8 @@ def certify(
         In place of the subject's own.
     hours
         The moment [h] of a material that changes.
+    exports
+        Whether to print a material of Motes for every target, run what can be run here, and compare: some ten to thirty seconds.
     date
         Of the page, ISO 8601; today (UTC) when not given, or that of the environment variable SOURCE_DATE_EPOCH.
 
@@ -102,6 +106,7 @@ def certify(
     with np.errstate(all="ignore"):
         checks: list[Check] = [check(specimen) for check in CHECKS]
         checks.append(check_conventions(specimen, reference))
+        checks.append(check_exports(specimen, exports))
     facts = dict(specimen.facts)
     if reference is not None:
         facts["compared with"] = f"{reference.name} ({reference.kind})"

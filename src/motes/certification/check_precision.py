@@ -22,9 +22,8 @@ def check_precision(specimen: Specimen) -> Check:
         return Check(
             "precision", "Not judged: the subject cannot be computed in both float32 and float64.", judged=False
         )
-    places = _places()
     says, findings, numbers = [], [], {}
-    for place, (a, b) in places.items():
+    for place, (a, b) in places().items():
         wi, wo = (w.astype(np.float32).astype(np.float64) for w in (a, b))
         wide, narrow = specimen.eval(wi, wo), specimen.narrow(wi.astype(np.float32), wo.astype(np.float32))
         error, allowed = _relative(wide, narrow), _allowed(specimen, wi, wo, wide)
@@ -42,7 +41,8 @@ def check_precision(specimen: Specimen) -> Check:
     return Check("precision", f"Largest relative errors of float32: {'; '.join(says)}.", tuple(findings), numbers)
 
 
-def _places() -> dict[str, tuple[Floats, Floats]]:
+def places() -> dict[str, tuple[Floats, Floats]]:
+    """Pairs of directions by where they lie: anywhere, and where digits cancel."""
     rng = np.random.default_rng(9)
     theta, phi = rng.uniform(0.1, 1.3, COUNT), rng.uniform(-np.pi, np.pi, COUNT)
     off, around = 10 ** rng.uniform(-4, -1.5, (2, COUNT)), rng.uniform(-np.pi, np.pi, COUNT)

@@ -44,7 +44,7 @@ def of_mitsuba(subject: Any, name: str = "") -> Specimen:
         texts += [json.dumps(subject, sort_keys=True, default=str), *_files(subject)]
         name = name or str(subject.get("type", "dictionary"))
     if isinstance(subject, (Mapping, Path)):
-        bsdf = _bsdf_of(mi, load_scene(subject))
+        bsdf = bsdf_of(mi, load_scene(subject))
     else:
         bsdf = subject
         texts.append(str(bsdf))
@@ -55,7 +55,7 @@ def of_mitsuba(subject: Any, name: str = "") -> Specimen:
     return Specimen(
         name=name or type(bsdf).__name__,
         kind="BSDF of Mitsuba",
-        eval=lambda wi, wo: _values(mi, bsdf, wi, wo),
+        eval=lambda wi, wo: evaluated(mi, bsdf, wi, wo),
         digest=digest_of(*texts),
         sample=lambda wi, u: _sampled(mi, bsdf, wi, u),
         pdf=lambda wi, wo: _numbers(bsdf.pdf(mi.BSDFContext(), _surface(mi, wi), _vector(mi, wo)), len(wi))[:, 0],
@@ -68,7 +68,7 @@ def of_mitsuba(subject: Any, name: str = "") -> Specimen:
     )
 
 
-def _bsdf_of(mi: Any, loaded: Any) -> Any:
+def bsdf_of(mi: Any, loaded: Any) -> Any:
     """The BSDF itself, or that of a scene's only material."""
     if not isinstance(loaded, mi.Scene):
         return loaded
@@ -117,7 +117,8 @@ def _numbers(value: Any, count: int) -> Floats:
     return np.broadcast_to(array, (count, array.shape[1]))
 
 
-def _values(mi: Any, bsdf: Any, wi: Floats, wo: Floats) -> Floats:
+def evaluated(mi: Any, bsdf: Any, wi: Floats, wo: Floats) -> Floats:
+    """The BSDF [1/sr] without the cosine (N, C)."""
     values = _numbers(bsdf.eval(mi.BSDFContext(), _surface(mi, wi), _vector(mi, wo)), len(wi))
     cosine = np.abs(np.float32(wo[:, 2:])).astype(np.float64)
     return np.where(cosine > 0, values / np.where(cosine > 0, cosine, 1), values)

@@ -38,6 +38,8 @@ def of_model(material: Material, hours: float | None = None) -> Specimen:
         narrow=lambda wi, wo: _value(_narrow(brdf), wi, wo),
         slopes=lambda wi, wo: _slopes(brdf, wi, wo),
         model=brdf,
+        material=material,
+        moment=moment if material.interval is not None else None,
         reciprocal=brdf.reciprocal,
         facts=facts,
     )

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes.errors import DataError
+from motes.material import Material
 from motes.models import BRDF
 
 Floats = NDArray[np.float64]
@@ -58,6 +59,8 @@ class Specimen:
         Derivatives by its parameters, by name, for directions (N, 3), (N, 3), or None.
     model
         The BRDF that it is, where it is one of Motes'.
+    material, moment
+        The material that it is, with the moment [h] where it changes; None where it is none of Motes'.
     reciprocal
         Whether it says of itself that light may be turned around; None where it says nothing.
     measured
@@ -85,6 +88,8 @@ class Specimen:
     narrow: Callable[[Numbers, Numbers], Numbers] | None = None
     slopes: Callable[[Floats, Floats], Mapping[str, Slopes]] | None = None
     model: BRDF | None = None
+    material: Material | None = None
+    moment: float | None = None
     reciprocal: bool | None = None
     measured: bool = False
     transmits: bool = False

@@ -19,6 +19,7 @@ def certify(
     cosine: Annotated[bool, Parameter(negative="")] = False,
     set: Annotated[tuple[str, ...], Parameter(negative="")] = (),
     hours: float | None = None,
+    exports: Annotated[bool, Parameter(negative="")] = False,
     date: str | None = None,
     output: Annotated[str | None, Parameter(name=["--output", "-o"])] = None,
     common: Common = Common(),  # noqa: B008 (an immutable value)
@@ -42,6 +43,8 @@ def certify(
         NAME=VALUE: a parameter of the function; repeat for more.
     hours
         The moment of a material that changes.
+    exports
+        Print a material of Motes for every target of motes export, run what can be run here, and compare: some ten to thirty seconds.
     date
         Of the page, such as 2026-01-31, to make it again bit by bit; today when not given.
     output
@@ -64,6 +67,7 @@ def certify(
         parameters=numbers(set, "--set"),
         cosine=cosine,
         hours=hours,
+        exports=exports,
         date=date,
     )
     page = page or Path(f"certificate-{paths.slug(found.subject)}.html")

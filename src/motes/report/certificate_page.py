@@ -27,6 +27,7 @@ TITLES = {
     "gradients": "Derivatives",
     "precision": "float32 against float64",
     "conventions": "Conventions",
+    "exports": "Agreement of exports",
 }
 _MARKS = {
     Outcome.HOLDS: ("good", "✓ holds"),
@@ -256,6 +257,27 @@ def _rivals(certificate: Certificate) -> Html | None:
     )
 
 
+def _exports(certificate: Certificate) -> Html | None:
+    check = certificate.check("exports")
+    if "targets" not in check.numbers:
+        return None
+    chips = {"agrees": ("good", "✓ agrees"), "differs": ("bad", "✗ differs"), "not run": ("plain", "– not run")}
+    rows = []
+    for row in check.numbers["targets"]:
+        kind, words = chips[row["outcome"]]
+        ran = row.get("at") is not None
+        numbers = [_number(row["largest"]), row["at"], _number(row["median"])] if ran else ["", "", ""]
+        asked = f"{row['tolerance']:.2g} ({row['judged_by']})" if ran else ""
+        rows.append([tag("td", tag("span", words, class_=f"verdict {kind}")), tag("td", tag("code", row["target"])), row["how"], *numbers, asked])  # fmt: skip
+    head = ("", "target", "how it was run, or why not", "largest difference", "where", "median", "at most")
+    note = (
+        "The material printed for each target of motes export, run here, and compared with NumPy in float64 at the same directions: differences are "
+        "relative to the value, or to a twentieth of the median value where that is larger. Tables are compared at their own samples; those that "
+        "average over patches, or between their nodes, by the median."
+    )
+    return join(table(head, rows), tag("p", note, class_="note"))
+
+
 def _citing(certificate: Certificate) -> Html:
     pairs = {
         **certificate.facts,
@@ -288,5 +310,6 @@ SECTIONS: tuple[Section[Certificate], ...] = (
     Section("sampling", TITLES["sampling"], _sampling),
     Section("precision", TITLES["precision"], _precision),
     Section("conventions", TITLES["conventions"], _rivals),
+    Section("exports", TITLES["exports"], _exports),
     Section("cite", "To cite it and make it again", _citing),
 )
