@@ -276,12 +276,13 @@ def test_the_steps_of_an_iteration_are_printed_as_numpy_runs_them() -> None:
     given = both.of("given", 0.1 * stopped[0])
     ending = both.of("ending", np.arange(LANES) % 6.0)
     at = _bundle(levenberg.At, both.x, objective, both.gradient, both.matrix)
-    box = _bundle(levenberg.Box, both.low, both.high)
+    unit = both.of("unit", np.geomspace(1e-3, 1e3, SIZE * LANES).reshape(SIZE, LANES))
+    box = _bundle(levenberg.Box, both.low, both.high, unit)
     state = _bundle(levenberg.Damping, damping, growth, idle)
     precision = _bundle(levenberg.Precision, reduction, noise)
     both.same(levenberg.held, at, box, both.none, bright)
     both.same(levenberg.bounded_step, at, damping, box, stopped, given)
-    both.same(levenberg.proposal, at, state, given, box, precision)
+    both.same(levenberg.proposal, at, state, given, box, precision, bright)
     both.same(levenberg.judged, objective, trial, promised, state, precision)
     both.same(levenberg.polished, both.x, objective, ending, both.gradient, both.middle, both.one, box)
 
@@ -292,8 +293,9 @@ def test_the_steps_to_errors_and_verdicts_are_printed_as_numpy_runs_them() -> No
     among = both.of("among", (both.rng.uniform(size=(SIZE, LANES)) < 0.8).astype(float))
     span, squared = both.of("span", np.full((SIZE, LANES), 0.7)), both.of("squared", np.ones((SIZE, LANES)))
     zero, one, x = both.none, both.one, both.x
+    size = both.of("size", np.geomspace(1e-3, 1e3, SIZE * LANES).reshape(SIZE, LANES))
     columns = tuple(
-        Columns(*(pair[k] for pair in (both.low, both.high, span, zero, one, zero, squared, span, zero)))
+        Columns(*(pair[k] for pair in (both.low, both.high, size, span, zero, one, zero, squared, span, zero)))
         for k in range(2)
     )
     both.same(covariance.standing, x, both.matrix, columns, bright)

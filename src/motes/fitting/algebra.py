@@ -121,6 +121,12 @@ class Arrays:
         return np.moveaxis(i @ m @ i, 0, 2)
 
 
+def pseudo_inverse(matrix: Array, unit: Array, rcond: float) -> Array:
+    """The pseudo-inverse of symmetric matrices (..., P, P), whose eigenvalues are compared in units (P,) of the parameters."""
+    square = np.outer(unit, unit)
+    return np.asarray(np.linalg.pinv(matrix * square, rcond=rcond, hermitian=True) * square)
+
+
 def _smallest(matrix: Array, right: Array) -> Array:
     if not (np.isfinite(matrix).all() and np.isfinite(right).all()):
         return np.full(len(right), np.nan)

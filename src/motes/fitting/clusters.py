@@ -37,7 +37,12 @@ def middle_over(objective: Objective, x: Floats, inverse: Floats, blocks: Labels
     parts = [objective.at_directions(np.flatnonzero(blocks == k)) for k in range(int(blocks.max()) + 1)]
     scores = np.stack([part.normal(x[None]).gradient[0] for part in parts])
     if len(x) <= MOST_TAKEN_OUT:
-        return evened(scores, np.stack([part.curvature(x) for part in parts]), inverse)
+        # In units of the parameters, so that no eigenvalue is lost beside one of another unit.
+        unit = objective.columns.unit[:, 0]
+        square = np.outer(unit, unit)
+        shares = np.stack([part.curvature(x) for part in parts])
+        found = evened(scores * unit, shares * square, inverse / square)
+        return found._replace(matrix=found.matrix / square)
     # Copies: a view of its diagonal would keep each (P, P) alive, 37 MB a block for 2,151 bands.
     return plain(scores, np.stack([np.diag(part.curvature(x)).copy() for part in parts]))
 

@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from motes.arrays import Array
 from motes.fitting.losses import Floats
-from motes.parameters import Parameter
+from motes.parameters import Parameter, Role
+
+#: What a fit of data that are so many times as bright finds so many times as large.
+STRENGTHS = (Role.DIFFUSE_COLOUR, Role.HIGHLIGHT_STRENGTH)
+# Means of pi times the BRDF: data that are darker as a whole, or brighter by half, are in units of their own.
+DARKEST, BRIGHTEST = 1e-3, 3.0
 
 
 class Columns(NamedTuple):
@@ -19,6 +25,8 @@ class Columns(NamedTuple):
     ----------
     low, high
         Bounds, in the coordinate that a fit moves in.
+    unit
+        How large an ordinary value is: 1, and where the data are far from what surfaces reflect that of `unit_of` for what goes with them.
     span
         The width of the typical range, in that coordinate.
     least, most
@@ -35,6 +43,7 @@ class Columns(NamedTuple):
 
     low: Array
     high: Array
+    unit: Array
     span: Array
     least: Array
     most: Array
@@ -44,6 +53,26 @@ class Columns(NamedTuple):
     fixed: Array
 
 
+def unit_of(values: NDArray[np.floating[Any]], used: NDArray[np.bool_]) -> float:
+    """In what units data of a BRDF are, of which some are `used` (arrays of one shape): 1 for those of surfaces.
+
+    Raw counts, or values in other units, are far from what a surface reflects; ranges, margins and defaults that are made for surfaces go
+    with them.  It is the mean that says that data are dark, and the median that they are bright, since highlights are bright and few.
+    """
+    sizes = np.abs(values[used])
+    mean = np.pi * float(sizes.mean()) if sizes.size else 0.0
+    if mean <= 0.5 * BRIGHTEST:  # and so is the median
+        return unit_between(mean, mean)
+    return unit_between(mean, np.pi * float(np.median(sizes)))
+
+
+def unit_between(most: float, middle: float) -> float:
+    """The unit of data whose brightness is `most` in all and `middle` by half."""
+    if 0 < most < DARKEST:
+        return max(most / DARKEST, 1e-30)
+    return max(1.0, middle / BRIGHTEST)
+
+
 def columns_of(
     declared: Sequence[Parameter | None],
     low: Floats,
@@ -51,6 +80,7 @@ def columns_of(
     *,
     squared: Sequence[bool] | None = None,
     fixed: Floats | None = None,
+    unit: float = 1.0,
 ) -> Columns:
     """The columns of a parameter vector (P,), as arrays (P, 1).
 
@@ -64,16 +94,33 @@ def columns_of(
         Whether the coordinate is the square of the parameter; where the parameter says so by default.
     fixed
         1 for what is held (P,).
+    unit
+        Of the data, as `unit_of` says.
     """
     typical = [p.typical if p else (a, b) for p, a, b in zip(declared, low, high, strict=True)]
-    least, most = (np.array([t[k] for t in typical], float) for k in (0, 1))
+    strength = np.array([bool(p and p.role in STRENGTHS) for p in declared], bool)
+    # What has no upper bound has no scale of its own either: its range and its default go with the data.
+    own = np.where(strength & np.isinf(high), unit, 1.0)
+    least, most = (np.array([t[k] for t in typical], float) * own for k in (0, 1))
     square = np.array([bool(p and p.squared) for p in declared] if squared is None else squared)
     span = np.where(square, most**2 - least**2, most - least)
     signed = [float(p is None or p.bounds[0] < 0) for p in declared]
     default = np.array([p.default if p else 0.5 * (a + b) for p, a, b in zip(declared, low, high, strict=True)], float)
+    default = default * own
     rest = np.clip(np.where(square, default**2, default), low, high)
     held = np.zeros(len(low)) if fixed is None else fixed
-    rows = (low, high, span, least, most, signed, square, rest, held)
+    rows = (
+        low,
+        high,
+        np.where(strength, np.minimum(unit, high - low), 1.0),
+        span,
+        least,
+        most,
+        signed,
+        square,
+        rest,
+        held,
+    )
     return Columns(*(np.asarray(row, float)[:, None] for row in rows))
 
 

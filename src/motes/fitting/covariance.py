@@ -68,7 +68,7 @@ def standing(algebra: Algebra, x: Array, matrix: Array, columns: Columns, bright
 
     `matrix` is H, `brightness` the weighted sum of squares of the data.
     """
-    margin = 1e-9 * (1.0 + absolute(algebra, x))
+    margin = 1e-9 * (columns.unit + absolute(algebra, x))
     zero, one = 0.0 * x, 0.0 * x + 1.0
     at_low = algebra.where(algebra.less(columns.low + margin, x), zero, one) * (1.0 - columns.fixed)
     at_high = algebra.where(algebra.less(x, columns.high - margin), zero, one) * (1.0 - columns.fixed) * (1.0 - at_low)
@@ -130,10 +130,10 @@ def loose(
 
 
 def pushed_out(
-    algebra: Algebra, unit: Array, gradient: Array, column: Array, inverse: Array, middle: Array, free: Array
+    algebra: Algebra, which: Array, gradient: Array, column: Array, inverse: Array, middle: Array, free: Array
 ) -> Array:
-    """1 where the data push a parameter by more than noise would (B,): the parameter of a unit vector, and its column of H (P, B)."""
-    projected = -algebra.times(inverse, column) * free * (1.0 - unit) + unit  # the others give way
+    """1 where the data push a parameter by more than noise would (B,): the parameter that is 1 in `which`, and its column of H (P, B)."""
+    projected = -algebra.times(inverse, column) * free * (1.0 - which) + which  # the others give way
     push = algebra.total(projected * gradient)
     variance = algebra.total(projected * algebra.times(middle, projected))
     most = FIRM * algebra.sqrt(algebra.maximum(variance, 0.0))

@@ -191,7 +191,7 @@ class Joint(Objective):
 
     @cached_property
     def columns(self) -> Columns:
-        return columns_for(self.parts)
+        return columns_for(self.parts, self.problem.unit)
 
     @property
     def groups(self) -> list[slice]:
@@ -261,11 +261,11 @@ class Joint(Objective):
         return chained(jacobian, np.stack(middles))
 
 
-def columns_for(parts: Sequence[Part]) -> Columns:
-    """What is known of the coefficients of trends beforehand."""
+def columns_for(parts: Sequence[Part], unit: float = 1.0) -> Columns:
+    """What is known of the coefficients of trends beforehand; `unit` is that of the data."""
     low, high = (np.concatenate([part.bounds[k] for part in parts]) for k in (0, 1))
     squared = [part.squared for part in parts for _ in range(part.size)]
-    return columns_of([p for part in parts for p in part.declared], low, high, squared=squared)
+    return columns_of([p for part in parts for p in part.declared], low, high, squared=squared, unit=unit)
 
 
 def groups_for(parts: Sequence[Part]) -> list[slice]:

@@ -126,7 +126,7 @@ def under_robust(problem: Problem, robust: str, rungs: Sequence[Rung]) -> Proble
     """The problem under a robust function whose scale is that of the closest of plain fits: one scale for all candidates."""
     if robust == "none":
         return problem
-    scales = [deviation(rung.problem.residuals(rung.x)[rung.problem.weights > 0]) for rung in rungs]
+    scales = [deviation(rung.problem.residuals(rung.x)[rung.problem.weights > 0], problem.unit) for rung in rungs]
     return problem.with_scale(ROBUST[robust], float(min(scales, default=1.0)))
 
 
@@ -167,7 +167,10 @@ def _carried(problem: Problem, rung: Rung) -> Floats:
         p = q.parameter
         named = [s for s in rung.problem.quantities if s.name == q.name]
         named = named or [s for s in rung.problem.quantities if s.parameter.role is p.role and p.role is not None]
-        value = rung.value(named[0]) if named else np.array([p.default], float)
+        if not named:
+            x[q.where] = problem.columns.rest[q.where, 0]
+            continue
+        value = rung.value(named[0])
         if len(value) not in (1, q.where.stop - q.where.start):
             value = np.array([value.mean()])
         x[q.where] = q.coordinate(np.clip(value, *p.fit_bounds))
@@ -210,6 +213,7 @@ def _left_out(problem: Problem, x: Floats, blocks: Labels, folds: list[Floats]) 
                 *parts.bounds,
                 sets=np.arange(turns),
                 brightness=parts.brightness(),
+                unit=parts.columns.unit[:, 0],
                 max_iterations=FOLD_STEPS,
                 reduction=FOLD_REDUCTION,
                 algebra=parts.algebra,

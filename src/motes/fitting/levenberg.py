@@ -30,7 +30,7 @@ BLIND = 1e-18
 PATIENCE, HARDLY = 8.0, 100.0
 # A step that moves every parameter by less than this share of it is the last.
 SMALL_STEP = 1e-9
-# An objective below this is zero.
+# An objective below this share of the data's square is zero.
 PERFECT = 1e-30
 # A step from the solution that promises more than this share of the objective is none: the gradient that asks for it is rounding.
 LAST_REDUCTION = 1e-4
@@ -62,10 +62,11 @@ class At(NamedTuple):
 
 
 class Box(NamedTuple):
-    """The bounds of the parameters (P, 1)."""
+    """The bounds of the parameters (P, 1), and how large ordinary values are: `motes.fitting.columns.Columns.unit`."""
 
     low: Array
     high: Array
+    unit: Array
 
 
 class Damping(NamedTuple):
@@ -112,7 +113,7 @@ def held(algebra: Algebra, at: At, box: Box, fixed: Array, brightness: Array) ->
     `brightness` is the weighted sum of squares of the data.
     """
     x, gradient = at.x, at.gradient
-    size = algebra.maximum(absolute(algebra, x), 1e-3)
+    size = algebra.maximum(absolute(algebra, x), 1e-3 * box.unit)
     unseen = flag(algebra, algebra.less(algebra.diagonal(at.matrix) * size * size, BLIND * brightness + 1e-300))
     at_low = algebra.where(algebra.less(box.low, x), 0.0, flag(algebra, algebra.less(0.0 * gradient, gradient)))
     at_high = algebra.where(algebra.less(x, box.high), 0.0, flag(algebra, algebra.less(gradient, 0.0 * gradient)))
@@ -122,7 +123,8 @@ def held(algebra: Algebra, at: At, box: Box, fixed: Array, brightness: Array) ->
 def bounded_step(algebra: Algebra, at: At, damping: Array, box: Box, stopped: Array, given: Array) -> Step:
     """Solve (H + damping diag H) step = -gradient for what is not `stopped`, whose steps are `given`; then stop what leaves the box."""
     diagonal = algebra.diagonal(at.matrix)
-    floor = algebra.maximum(1e-20 * algebra.largest(diagonal), 1e-300)
+    square = box.unit * box.unit  # diagonals of other units are compared in theirs
+    floor = algebra.maximum(1e-20 * algebra.largest(diagonal * square) / square, 1e-300)
     scale = 1.0 / algebra.sqrt(algebra.maximum(diagonal, floor))
     free = 1.0 - stopped
     against = at.gradient + algebra.times(at.matrix, stopped * given)
@@ -136,8 +138,10 @@ def bounded_step(algebra: Algebra, at: At, damping: Array, box: Box, stopped: Ar
     return Step(within, stopped + leaves, algebra.total(leaves))
 
 
-def proposal(algebra: Algebra, at: At, damping: Damping, step: Array, box: Box, precision: Precision) -> Proposal:
-    """The point of a step, and whether it is the last: see `ENDINGS`."""
+def proposal(
+    algebra: Algebra, at: At, damping: Damping, step: Array, box: Box, precision: Precision, brightness: Array
+) -> Proposal:
+    """The point of a step, and whether it is the last: see `ENDINGS`; `brightness` as for `held`."""
     x, objective, noise = at.x, at.objective, precision.noise
     moved = algebra.minimum(algebra.maximum(x + step, box.low), box.high)
     delta = moved - x
@@ -145,10 +149,11 @@ def proposal(algebra: Algebra, at: At, damping: Damping, step: Array, box: Box, 
     full = flag(algebra, algebra.less(damping.size, FULL_STEP + 0.0 * damping.size))
     # Any step is small once it is damped enough: what it promises must be rounding then.
     nothing = flag(algebra, algebra.less(promised, 1e-13 * objective + 1e-6 * noise))
-    away = algebra.largest(absolute(algebra, delta) / (absolute(algebra, x) + SMALL_STEP))
+    away = algebra.largest(absolute(algebra, delta) / (absolute(algebra, x) + SMALL_STEP * box.unit))
     small = flag(algebra, algebra.less(away, SMALL_STEP + 0.0 * away))
     converged = flag(algebra, algebra.less(promised, precision.reduction * objective + 1e-2 * noise + 1e-300))
     zero = 0.0 * objective
+    perfect = PERFECT * algebra.where(algebra.less(zero, brightness + zero), brightness + zero, 1.0 + zero)
     ending = zero
     for code, condition in (  # the first that holds wins
         (5.0, flag(algebra, algebra.less(MOST_DAMPING + zero, damping.size))),
@@ -158,7 +163,7 @@ def proposal(algebra: Algebra, at: At, damping: Damping, step: Array, box: Box, 
             algebra.maximum(small * full, nothing * algebra.maximum(small, flag(algebra, algebra.less(zero, noise)))),
         ),
         (2.0, converged * full),
-        (1.0, flag(algebra, algebra.less(objective, PERFECT + zero))),
+        (1.0, flag(algebra, algebra.less(objective, perfect))),
     ):
         ending = algebra.where(algebra.less(0.5 + zero, condition), code, ending)
     return Proposal(moved, algebra.maximum(promised, zero), ending)

@@ -25,7 +25,7 @@ from motes.errors import MotesError
 
 Floats = NDArray[np.float64]
 # The cube root has an infinite slope at 0: below this f cos(theta_i) [1/sr] its slope is held, so that a model at
-# exactly 0 can still move.
+# exactly 0 can still move; with data in other units it goes with them.
 SMALLEST = 1e-6
 
 
@@ -60,10 +60,23 @@ class Loss:
         """The derivative of `transform` by f."""
         return np.asarray(self.sloped(np, f, cosine))
 
+    def of_unit(self, unit: float) -> Loss:
+        """The same for data of such a unit (`motes.fitting.columns.unit_of`)."""
+        return _cube_root(SMALLEST * unit) if self.name == "cube_root" and unit != 1 else self
+
     @property
     def is_linear(self) -> bool:
         """Whether the transform of a sum is the sum of transforms."""
         return self.name in ("linear", "plain")
+
+
+def _cube_root(smallest: float) -> Loss:
+    return Loss(
+        "cube_root",
+        "(f cos theta_i)^(1/3) - (r cos theta_i)^(1/3)",
+        lambda xp, f, c: xp.cbrt(f * c),
+        lambda xp, f, c: c / (3 * _square(xp.cbrt(xp.maximum(f * c, smallest)))),
+    )
 
 
 LOSSES = {
@@ -77,12 +90,7 @@ LOSSES = {
             lambda xp, f, c: xp.log1p(f * c),
             lambda xp, f, c: c / (1 + f * c),
         ),
-        Loss(
-            "cube_root",
-            "(f cos theta_i)^(1/3) - (r cos theta_i)^(1/3)",
-            lambda xp, f, c: xp.cbrt(f * c),
-            lambda xp, f, c: c / (3 * _square(xp.cbrt(xp.maximum(f * c, SMALLEST)))),
-        ),
+        _cube_root(SMALLEST),
     )
 }
 

@@ -36,16 +36,17 @@ def distances(fitted: Floats, measured: Floats, cosines: Floats) -> dict[str, fl
     return found
 
 
-def deviation(residuals: NDArray[np.floating[Any]]) -> Floats:
+def deviation(residuals: NDArray[np.floating[Any]], unit: float = 1.0) -> Floats:
     """The standard deviation of normal noise, by the median distance from the median, over the last axis; NaN counts for nothing.
 
-    What is far off hardly moves it: the scale of robust functions.  At least 1e-12, since they divide by it.
+    What is far off hardly moves it: the scale of robust functions.  At least 1e-12 of
+    the data's `unit`, since they divide by it.
     """
     measured = np.isfinite(residuals).any(axis=-1)  # the median of nothing is a warning
     middle = np.nanmedian(residuals[measured], axis=-1, keepdims=True)
     spread = np.zeros(residuals.shape[:-1])
     spread[measured] = np.nanmedian(np.abs(residuals[measured] - middle), axis=-1)
-    return np.maximum(MEDIAN_TO_DEVIATION * spread, 1e-12)
+    return np.maximum(MEDIAN_TO_DEVIATION * spread, 1e-12 * unit)
 
 
 def chi_square(objective: float, factor: float | None, freedom: int) -> dict[str, float]:

@@ -122,6 +122,7 @@ class Objective(ABC):
             held=held,
             sets=sets,
             brightness=float(bright.sum()) if sets is None else bright[sets],
+            unit=self.columns.unit[:, 0],
             reduction=reduction,
             max_iterations=max_iterations,
             algebra=self.algebra,

@@ -96,7 +96,7 @@ def fit_over_time(
         residual = [
             single(problem, int(t)).residuals(x)[problem.weights[t] > 0] for t, x in zip(usable, fits.x, strict=True)
         ]
-        problem = problem.with_scale(ROBUST[wishes.robust], float(deviation(np.concatenate(residual))))
+        problem = problem.with_scale(ROBUST[wishes.robust], float(deviation(np.concatenate(residual), problem.unit)))
         fits = fit_scans(problem, usable)
     say(40, 100, "choosing trends")
     joint, solution, alternatives, outliers = joint_fit(problem, hours, fits, usable, kinds, say)
@@ -214,7 +214,8 @@ def _result(
 def _trend_verdict(joint: Joint, kind: str, p: Any, values: Floats, stderr: Floats) -> Verdict:
     low, high = p.fit_bounds
     width = p.typical[1] - p.typical[0]
-    if (values <= low + 1e-9 * (1 + abs(low))).all():
+    unit = min(joint.problem.unit, 1.0)
+    if (values <= low + 1e-9 * (unit + abs(low))).all():
         return Verdict.AT_LOWER
     if math.isfinite(high) and (values >= high - 1e-9 * (1 + abs(high))).all():
         return Verdict.AT_UPPER
@@ -225,5 +226,8 @@ def _trend_verdict(joint: Joint, kind: str, p: Any, values: Floats, stderr: Floa
     # The best-determined moment decides: a highlight that fades is still known from when it was there.
     k = np.unravel_index(np.nanargmin(np.where(stderr > 0, stderr, np.nan)), stderr.shape)
     return verdict_of(
-        p, float(np.broadcast_to(values, np.broadcast_shapes(values.shape, stderr.shape))[k]), float(stderr[k])
+        p,
+        float(np.broadcast_to(values, np.broadcast_shapes(values.shape, stderr.shape))[k]),
+        float(stderr[k]),
+        joint.problem.unit,
     )

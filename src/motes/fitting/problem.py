@@ -56,6 +56,8 @@ class Problem(Objective):
         masked, and the value is finite everywhere.
     common
         A relative uncertainty that all values share: of the scale.
+    unit
+        That of the values: `motes.fitting.columns.unit_of`.
     loss, robust, scale
         The residuals' transform; the robust function, and the noise in units of which it measures residuals.
     """
@@ -71,6 +73,7 @@ class Problem(Objective):
     robust: Robust
     scale: float = 1.0
     common: float = 0.0
+    unit: float = 1.0
     _function: FitFunction = field(init=False)
     _columns: tuple[Floats, ...] = field(init=False)
     _cosines: Floats = field(init=False)
@@ -105,7 +108,7 @@ class Problem(Objective):
 
     @cached_property
     def columns(self) -> Columns:
-        return columns_for(self.quantities)
+        return columns_for(self.quantities, self.unit)
 
     @cached_property
     def algebra(self) -> Arrays:

@@ -11,6 +11,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from motes.fitting.algebra import pseudo_inverse
 from motes.fitting.losses import Floats
 from motes.fitting.objective import Objective
 from motes.fitting.result import Progress
@@ -43,7 +44,8 @@ def profiled(
     matrix = objective.curvature(x)
     free = np.isfinite(errors) & (errors > 0)
     at_bound = ~free & ((x <= low) | (x >= high)) & (low < high)
-    inverse = _inverse(matrix, free)
+    unit = objective.columns.unit[:, 0]
+    inverse = _inverse(matrix, free, unit)
     units = np.full(len(x), np.nan)
     units[free] = errors[free] ** 2 / np.maximum(np.diag(inverse)[free], 1e-300)
     found = {name: np.full((2, len(x)), np.nan) for name in levels}
@@ -53,7 +55,7 @@ def profiled(
             progress(done, len(asked), "profile likelihood")
         among = free.copy()
         among[p] = True
-        own = inverse if free[p] else _inverse(matrix, among)
+        own = inverse if free[p] else _inverse(matrix, among, unit)
         unit = units[p] if free[p] else float(np.median(units[free]))
         step = np.sqrt(unit * max(float(own[p, p]), 0.0))
         if not step > 0:
@@ -70,10 +72,10 @@ def profiled(
     return found
 
 
-def _inverse(matrix: Floats, among: np.ndarray[tuple[int], np.dtype[np.bool_]]) -> Floats:
+def _inverse(matrix: Floats, among: np.ndarray[tuple[int], np.dtype[np.bool_]], unit: Floats) -> Floats:
     full = np.zeros_like(matrix)
     at = np.flatnonzero(among)
-    full[np.ix_(at, at)] = np.linalg.pinv(matrix[np.ix_(at, at)], hermitian=True)
+    full[np.ix_(at, at)] = pseudo_inverse(matrix[np.ix_(at, at)], unit[at], 1e-15)
     return full
 
 

@@ -36,11 +36,11 @@ class Quantity(NamedTuple):
         return np.sqrt(np.maximum(coordinate, 0.0)) if self.parameter.squared else np.asarray(coordinate, float)
 
 
-def columns_for(quantities: Sequence[Quantity]) -> Columns:
-    """What is known of a parameter vector beforehand."""
+def columns_for(quantities: Sequence[Quantity], unit: float = 1.0) -> Columns:
+    """What is known of a parameter vector beforehand; `unit` is that of the data."""
     each = [q for q in quantities for _ in range(q.where.stop - q.where.start)]
     low, high = (np.array([q.bounds[k] for q in each], float) for k in (0, 1))
-    return columns_of([q.parameter for q in each], low, high)
+    return columns_of([q.parameter for q in each], low, high, unit=unit)
 
 
 def layout(model: BRDF, channels: int, fixed: frozenset[str], per_channel: frozenset[str]) -> tuple[Quantity, ...]:

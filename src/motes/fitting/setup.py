@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from motes.errors import DataError, MotesError
+from motes.fitting.columns import unit_of
 from motes.fitting.losses import LOSSES, ROBUST, Floats, Loss
 from motes.fitting.problem import Problem
 from motes.fitting.quantities import Quantity, layout
@@ -105,7 +106,8 @@ def prepare(data: Measurement, model: str | BRDF, wishes: Wishes, lenient: bool 
     if wishes.free_scale:
         shape = Scaled(brdf)
         quantities = tuple(map(physical, layout(shape, data.n_channels, held, frozenset(wishes.per_channel))))
-    loss = LOSSES[wishes.loss]
+    unit = unit_of(data.values, data.mask)
+    loss = LOSSES[wishes.loss].of_unit(unit)
     full, factor = sample_weights(data, wishes.weights, loss)
     used: Any = full.any(axis=(0, 2))
     used = slice(None) if used.all() else used  # no copies of large data
@@ -139,6 +141,7 @@ def prepare(data: Measurement, model: str | BRDF, wishes: Wishes, lenient: bool 
         loss=loss,
         robust=ROBUST["none"],
         common=0.0 if wishes.free_scale else data.common_uncertainty or 0.0,
+        unit=unit,
     )
     return Setup(brdf, model if isinstance(model, BRDF) else None, problem, factor)
 

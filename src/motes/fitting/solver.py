@@ -56,6 +56,7 @@ def minimize(
     held: NDArray[np.bool_] | None = None,
     sets: NDArray[np.intp] | None = None,
     brightness: float | Floats = 0.0,
+    unit: float | Floats = 1.0,
     max_iterations: int = 200,
     reduction: float = 1e-10,
     algebra: Arrays = ARRAYS,
@@ -73,6 +74,8 @@ def minimize(
         What each row belongs to (B,), passed on to `normal` as a second argument.
     brightness
         The weighted sum of squares of the data, or (B,) of each row's; see `motes.fitting.levenberg.BLIND`.
+    unit
+        How large ordinary values are, or (P,) of each parameter; see `motes.fitting.columns.Columns`.
     reduction
         Converged when a full step promises less than this share of the objective; see also `motes.fitting.levenberg`.
     algebra
@@ -84,7 +87,7 @@ def minimize(
     batch, size = x.shape
     fixed = np.broadcast_to(np.zeros(size) if held is None else held, x.shape).astype(float)
     bright = np.broadcast_to(np.asarray(brightness, float), (batch,))
-    box = Box(*(np.broadcast_to(bound, (size,))[:, None] for bound in (low, high)))
+    box = Box(*(np.broadcast_to(np.asarray(part, float), (size,))[:, None] for part in (low, high, unit)))
     precision = Precision(np.float64(reduction), np.float64(0.0))
 
     def at_rows(points: Floats, rows: NDArray[np.intp]) -> Normal:
@@ -121,7 +124,7 @@ def minimize(
                 step, stopped, leaving = levenberg.bounded_step(algebra, at, lanes.damping.size, box, stopped, step)
                 if not leaving.any():
                     break
-            proposed = levenberg.proposal(algebra, at, lanes.damping, step, box, precision)
+            proposed = levenberg.proposal(algebra, at, lanes.damping, step, box, precision, lanes.bright)
             moved, promised = proposed.moved.T, proposed.promised
             ended = proposed.ending > 0
             if ended.any():

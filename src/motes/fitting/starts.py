@@ -46,9 +46,10 @@ def starting_points(problem: Problem, given: Floats | None, most: int) -> Floats
     order = np.argsort(coarse.normal.objective, kind="stable")
     chosen = coarse.x[_spread_out(coarse.x, order, gridded)]
     ends = _ends(grey, chosen)
+    unit = grey.columns.unit[:, 0]
     distinct = [ends[0]]
     for end in ends[1:]:
-        if len(distinct) < most and all(_apart(end, d) for d in distinct):
+        if len(distinct) < most and all(_apart(end, d, unit) for d in distinct):
             distinct.append(end)
     starts = np.stack([_expand(problem, grey, x, brightness) for x in distinct])
     return starts if given is None else np.concatenate([given[None], starts])
@@ -56,7 +57,7 @@ def starting_points(problem: Problem, given: Floats | None, most: int) -> Floats
 
 def _ends(grey: Problem, chosen: Floats) -> Floats:
     """Where fits from the chosen points end (B, P), the best first; without those that were given up."""
-    fine = grey.solve(chosen, max_iterations=ITERATIONS, reduction=1e-6, spare=_Superfluous())
+    fine = grey.solve(chosen, max_iterations=ITERATIONS, reduction=1e-6, spare=_Superfluous(grey.columns.unit[:, 0]))
     late = np.array([status is Status.MAX_ITERATIONS for status in fine.status])
     given_up = late & (fine.iterations < ITERATIONS)
     order = np.argsort(fine.normal.objective, kind="stable")
@@ -69,7 +70,8 @@ class _Superfluous:
     What is left of them at last is one that creeps, and a step of one takes as long as a step of all.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, unit: Floats) -> None:
+        self.unit = unit
         self.least, self.best = np.inf, np.empty(0)
 
     def __call__(self, x: Floats, objective: Floats, iterations: NDArray[np.int64]) -> NDArray[np.bool_]:
@@ -78,13 +80,13 @@ class _Superfluous:
             self.least, self.best = float(objective[first]), x[first].copy()
         if not len(self.best) or iterations[0] < SETTLED:
             return np.zeros(len(x), bool)
-        there = (objective > self.least) & ~_apart(x, self.best)
+        there = (objective > self.least) & ~_apart(x, self.best, self.unit)
         return np.asarray(there | ((iterations >= PATIENCE) & (objective > HOPELESS * self.least)))
 
 
-def _apart(x: Floats, other: Floats) -> NDArray[np.bool_]:
-    """Whether points (..., P) are elsewhere than another one (P,)."""
-    return np.asarray(np.any(np.abs(x - other) > 0.02 * np.abs(other) + 1e-3, axis=-1))
+def _apart(x: Floats, other: Floats, unit: Floats) -> NDArray[np.bool_]:
+    """Whether points (..., P) are elsewhere than another one (P,), in units (P,) of the parameters."""
+    return np.asarray(np.any(np.abs(x - other) > 0.02 * np.abs(other) + 1e-3 * unit, axis=-1))
 
 
 def _spread_out(x: Floats, order: np.ndarray, gridded: np.ndarray) -> np.ndarray:
@@ -115,8 +117,9 @@ def _bright_start(grey: Problem, q: Quantity) -> float:
     """A first value for a parameter that enters almost linearly: about the brightness of the data."""
     mean = float(np.average(grey.values, weights=grey.weights))
     low, high = q.bounds
-    default = float(q.coordinate(np.array(q.parameter.default)))
-    return float(np.clip(np.pi * mean if q.parameter.role is Role.DIFFUSE_COLOUR else default, low, min(high, 1e6)))
+    default = float(grey.columns.rest[q.where.start, 0])
+    most = min(high, 1e6 * grey.unit)
+    return float(np.clip(np.pi * mean if q.parameter.role is Role.DIFFUSE_COLOUR else default, low, most))
 
 
 def _grey(problem: Problem) -> tuple[Problem, Floats]:
@@ -126,13 +129,14 @@ def _grey(problem: Problem) -> tuple[Problem, Floats]:
     count = np.maximum((weights > 0).sum(axis=0), 1)
     values = np.where(weights > 0, measured, 0).sum(axis=0) / count
     mean = np.array([np.average(v, weights=w) if w.any() else 1.0 for v, w in zip(measured, weights, strict=True)])
-    brightness = np.maximum(mean, 1e-12) / max(float(mean.mean()), 1e-12)
+    least = 1e-12 * problem.unit
+    brightness = np.maximum(mean, least) / max(float(mean.mean()), least)
     total = weights.mean(axis=0)
     usable = np.flatnonzero(total > 0)
     if len(usable) > SEARCH_SAMPLES:
         rng = np.random.default_rng(20070101)
         size = SEARCH_SAMPLES // 2
-        energy = np.abs(values[usable]) * problem.wi[usable, 2] + 1e-12
+        energy = np.abs(values[usable]) * problem.wi[usable, 2] + least
         bright = rng.choice(usable, size, replace=False, p=energy / energy.sum())
         usable = np.union1d(rng.choice(usable, size, replace=False), bright)
     quantities = tuple(Quantity(q.name, q.parameter, False, slice(k, k + 1)) for k, q in enumerate(problem.quantities))

@@ -130,7 +130,7 @@ class _Attempt:
         solution = problem.solve(starts, reduction=reduction)
         if self.wishes.robust != "none":
             residual = problem.residuals(solution.x[solution.best()])[problem.weights > 0]
-            scale = float(deviation(residual))
+            scale = float(deviation(residual, self.problem.unit))
             starts = np.concatenate([solution.x, starts])
             # The mild function has no valleys of its own; from its ends cauchy does not stop in one of its many.
             mild = problem.with_scale(ROBUST["soft_l1"], scale).solve(starts)

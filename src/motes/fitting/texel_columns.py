@@ -33,7 +33,7 @@ class Sampled:
         self.leaves |= {p.symbol: f"p{k}" for k, p in enumerate(held)}
         slots = {slot.name: slot for slot in model.slots()}
         numbers = [float(np.ravel(slots[p.slot].value)[p.channel or 0]) for p in held]
-        self.root = np.sqrt(fit.weights)
+        self.root = np.sqrt(fit.weights) / fit.size_of_residuals
         self.directions = [*fit.wi.T, *fit.wo.T, self.root, fit.wi[:, 2]]
         self.numbers = numbers
         self.count = len(fit.wi)

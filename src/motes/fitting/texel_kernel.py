@@ -165,6 +165,7 @@ class Kernel:
             [
                 low,
                 high,
+                facts.unit[:, 0],
                 numbers,
                 *(part[:, 0] for part in (facts.span, facts.least, facts.most, facts.rest)),
             ]
@@ -267,7 +268,7 @@ class Kernel:
     ) -> None:
         box = self.box.copy()
         if reduction is not None:
-            box[2 * self.size] = reduction
+            box[3 * self.size] = reduction
         units = np.ones(1) if noise is None else np.ascontiguousarray(noise, np.float64)
         holds = np.ascontiguousarray(np.zeros(self.size) if held is None else held, np.float64)
         noise_step, held_step = int(noise is not None), self.size if holds.ndim == 2 else 0

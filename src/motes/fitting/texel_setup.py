@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import copy
 import math
 from collections.abc import Collection, Mapping
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,13 +14,13 @@ from numpy.typing import ArrayLike
 from motes.directions import above
 from motes.errors import DataError, MotesError
 from motes.fitting import joint
-from motes.fitting.columns import Columns, in_own_units
+from motes.fitting.columns import STRENGTHS, Columns, in_own_units, unit_between
 from motes.fitting.joint import Part
 from motes.fitting.losses import Floats, loss_named, robust_named
 from motes.fitting.quantities import Quantity, columns_for
 from motes.fitting.setup import fitted_of
 from motes.models import BRDF
-from motes.parameters import Parameter
+from motes.parameters import Parameter, Role
 from motes.trends import KINDS
 
 
@@ -63,6 +64,8 @@ class TexelSetup:
         self.brdf, self.quantities = asked.brdf, asked.quantities
         self.weights = _weights(weights, len(self.wi))
         self.hours, self.parts = _parts(self.quantities, hours, trends)
+        #: That of the data, `motes.fitting.columns.unit_of`.
+        self.unit = 1.0
 
     # ------------------------------------------------------------ what is fitted
 
@@ -79,7 +82,7 @@ class TexelSetup:
     @cached_property
     def facts(self) -> Columns:
         """Bounds and ranges of the columns, in the coordinates that a fit moves in."""
-        return joint.columns_for(self.parts) if self.parts else columns_for(self.quantities)
+        return joint.columns_for(self.parts, self.unit) if self.parts else columns_for(self.quantities, self.unit)
 
     @property
     def groups(self) -> list[slice]:
@@ -95,6 +98,33 @@ class TexelSetup:
     def bounds(self) -> tuple[Floats, Floats]:
         """Lower and upper bounds (P,) of the parameters."""
         return self.values(self.facts.low[:, 0]), self.values(self.facts.high[:, 0])
+
+    def unit_of_starts(self, starts: Floats) -> float:
+        """The unit of the data that fits from `starts` (K, P) are of: what these say of the strengths."""
+        free = [k for k, c in enumerate(self.columns) if c.value and c.parameter.fit_bounds[1] == math.inf]
+        strengths = [k for k in free if self.columns[k].parameter.role in STRENGTHS]
+        if not strengths:
+            return 1.0
+        diffuse = [k for k in strengths if self.columns[k].parameter.role is Role.DIFFUSE_COLOUR]
+        most = float(np.median(starts[:, strengths].max(axis=1)))
+        return unit_between(most, float(np.median(starts[:, diffuse or strengths].mean(axis=1))))
+
+    def in_units(self, unit: float) -> Self:
+        """The same for data of such a unit."""
+        if unit == self.unit:
+            return self
+        other = copy.copy(self)
+        other.unit, other.loss = unit, self.loss.of_unit(unit)
+        for name in ("facts", "_kernels", "_recorded"):  # what was made for this unit
+            other.__dict__.pop(name, None)
+        return other
+
+    @property
+    def size_of_residuals(self) -> float:
+        """What residuals are divided by, so that products of four of them are numbers in single precision."""
+        return float(
+            self.loss.transform(np.array(self.unit), np.ones(())) / self.loss.transform(np.ones(()), np.ones(()))
+        )
 
     def coordinates(self, x: Floats) -> Floats:
         """What a fit moves in (..., P), a new array: the square of a parameter where the model depends on nothing else."""

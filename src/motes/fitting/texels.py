@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from motes.errors import DataError, MotesError
+from motes.fitting.columns import unit_of
 from motes.fitting.losses import ROBUST, Floats, Robust
 from motes.fitting.metrics import deviation
 from motes.fitting.printed.driver import NO_VERDICT
@@ -128,6 +129,8 @@ class TexelSolver(TexelSetup):
             raise DataError(f"starts of shape {np.shape(starts)} do not fit", f"Give an array of shape {expected}")
         if not np.isfinite(points).all():
             raise DataError("starts hold a value that is not finite", "Give parameter vectors within the bounds")
+        if self.unit == 1 and not own_starts and (unit := self.unit_of_starts(points)) != 1:
+            return self.in_units(unit).fit(data, points, covariance=covariance)
         points = self.coordinates(points)
         np.clip(points, self.facts.low[:, 0], self.facts.high[:, 0], out=points)
         if not self.compiled:
@@ -319,7 +322,8 @@ class TexelSolver(TexelSetup):
             As for `fit`, of some texels (a few dozen) from all over a map.
         """
         data = self._checked(values)
-        return representative_starts(self, data, lambda rows, starts: self.fit(data[rows], starts).x)
+        solver = self.in_units(unit_of(data, np.isfinite(data)))
+        return representative_starts(solver, data, lambda rows, starts: solver.fit(data[rows], starts).x)
 
 
 def _own_covariance(packed: Singles, stderr: Singles) -> Singles:

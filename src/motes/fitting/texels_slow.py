@@ -37,6 +37,7 @@ def problem_of(solver: TexelSetup, data: Singles) -> Problem:
         weights=np.where(good, solver.weights[:, None], 0.0),
         loss=solver.loss,
         robust=ROBUST["none"],
+        unit=solver.unit,
     )
 
 

@@ -66,8 +66,7 @@ def _distinct(solver: TexelSetup, points: Floats, most: int) -> Floats:
     """Of many points those farthest from each other, the one in the middle first."""
     low, high = solver.bounds
     points = np.clip(points, low, high)
-    typical = [c.parameter.typical if c.value else None for c in solver.columns]
-    span = np.array([t[1] - t[0] if t else h - g for t, g, h in zip(typical, low, high, strict=True)])
+    span = (solver.facts.most - solver.facts.least)[:, 0]
     scaled = points / np.maximum(span, 1e-12)
     chosen = [int(np.argmin(np.abs(scaled - np.median(scaled, axis=0)).sum(axis=1)))]
     while len(chosen) < min(most, len(points)):

@@ -10,7 +10,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from motes.fitting.joint import Joint, Part, chained
+from motes.fitting.algebra import pseudo_inverse
+from motes.fitting.joint import Joint, Part, chained, columns_for
 from motes.fitting.losses import Floats
 from motes.fitting.problem import Problem
 from motes.fitting.scans import ScanFits
@@ -88,7 +89,7 @@ class Profile:
         for t in range(scans):
             pick[t * width : (t + 1) * width, t, own] = np.eye(width)
         if free.any():
-            inverse = np.linalg.pinv(others[np.ix_(free, free)], rcond=1e-11, hermitian=True)
+            inverse = pseudo_inverse(others[np.ix_(free, free)], joint.columns.unit[rest[free], 0], 1e-11)
             onto = cross[:, free] @ inverse
             matrix = matrix - onto @ cross[:, free].T
             gradient = gradient - onto @ slope[free]
@@ -141,7 +142,16 @@ class Profile:
             return Normal(self.objective + change, gradient, transposed @ (self.matrix @ rows))
 
         low, high = part.bounds
-        solution = minimize(normal, part.starts(hours, self.wish), low, high, max_iterations=40, reduction=1e-8)
+        solution = minimize(
+            normal,
+            part.starts(hours, self.wish),
+            low,
+            high,
+            brightness=float(self.joint.brightness().sum()),
+            unit=columns_for([part], self.joint.problem.unit).unit[:, 0],
+            max_iterations=40,
+            reduction=1e-8,
+        )
         best = solution.best()
         return float(solution.normal.objective[best]), solution.x[best]
 
@@ -167,7 +177,7 @@ def surveyed(joint: Joint, c: Floats) -> tuple[Joint, list[Profile]]:
     at = survey(joint, c)
     noise = 2 * float(at.scan.objective.sum()) / joint.samples
     # With the leverage that a sample has within its scan: what is judged are changes from scan to scan.
-    inverses = np.linalg.pinv(at.scan.matrix, rcond=1e-12, hermitian=True)
+    inverses = pseudo_inverse(at.scan.matrix, joint.problem.columns.unit[:, 0], 1e-12)
     middles = np.stack(
         [
             joint.problem.spread(x, inverse, np.array([t]))
@@ -218,7 +228,9 @@ def first_guess(
     # Both the plain values and the nearest trends are starts: a scan on a false branch spoils one or the other.
     plain = np.concatenate(starts)[None]
     low, high = joint.bounds
-    both = np.concatenate([plain, minimize(nearest, plain, low, high, max_iterations=30, reduction=1e-6).x])
+    bright, unit = float(joint.brightness().sum()), joint.columns.unit[:, 0]
+    near = minimize(nearest, plain, low, high, brightness=bright, unit=unit, max_iterations=30, reduction=1e-6)
+    both = np.concatenate([plain, near.x])
     rough = joint.solve(both, **ROUGHLY)
     return joint, rough.x[rough.best()]
 

@@ -134,9 +134,10 @@ def _own_covariance(covariance: Floats, coordinate: Floats, own: Floats) -> Floa
         return covariance * np.outer(factor, factor) + 0.0 * np.add.outer(coordinate, coordinate)
 
 
-def verdict_of(parameter: Parameter, value: float, stderr: float) -> Verdict:
-    """The verdict on one value by its standard error alone."""
-    columns = columns_of([parameter], np.zeros(1), np.ones(1))
+def verdict_of(parameter: Parameter, value: float, stderr: float, unit: float = 1.0) -> Verdict:
+    """The verdict on one value by its standard error alone; `unit` is that of the data."""
+    low, high = (np.full(1, bound) for bound in parameter.fit_bounds)
+    columns = columns_of([parameter], low, high, unit=unit)
     one = np.ones((1, 1))
     code = steps.judged(ARRAYS, value * one, stderr * one, columns, 0 * one)
     return steps.VERDICTS[int(code[0, 0])]

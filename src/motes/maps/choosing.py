@@ -86,6 +86,7 @@ def compared(by_model: list[list[Trial | None]]) -> tuple[Trial, ...]:
 
 def _trials(solver: TexelSolver, text: str, rows: Singles, starts: Floats) -> list[Trial | None]:
     """A candidate, fitted to each texel."""
+    solver = solver.in_units(solver.unit_of_starts(starts))
     fit = solver.fit(rows, starts)
     return [
         None if status in (TexelStatus.NO_DATA, TexelStatus.FAILED) else _trial(solver, text, row, x, int(status))
@@ -130,4 +131,4 @@ def _trial(solver: TexelSolver, text: str, row: Singles, x: Floats, status: int)
 def _scale(parts: list[Problem], vectors: Floats) -> float:
     """The size of noise among residuals, from their median."""
     residual = np.concatenate([p.residuals(v)[p.weights > 0] for p, v in zip(parts, vectors, strict=True)])
-    return float(deviation(residual))
+    return float(deviation(residual, parts[0].unit))

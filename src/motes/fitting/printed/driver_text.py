@@ -176,7 +176,7 @@ def fit(
     data = room + AT_OPENED + 8 * LANES * OPENING * times
     raw = data + 4 * LANES * WIDTH * samples * times
     own, fresh, trial = room + AT_OWN, room + AT_FRESH, room + AT_TRIAL
-    whole = load(D, box, 2 * SIZE + 2, "other", 1)
+    whole = load(D, box, 3 * SIZE + 2, "other", 1)
     after = SIZE + ROWS
     for first in range(0, texels, LANES):
         state, next_state = room + AT_STATE, room + AT_NEXT_STATE

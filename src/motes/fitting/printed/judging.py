@@ -19,7 +19,7 @@ from motes.fitting.printed.rows import Rows, Target, Uniform, lane_function
 from motes.graph.symbols import Symbol
 
 #: What all texels share, in the order of the box: vectors of the columns, and numbers.
-BOX = ("low", "high", "reduction", "rounding", "whole", "span", "least", "most", "rest")
+BOX = ("low", "high", "unit", "reduction", "rounding", "whole", "span", "least", "most", "rest")
 NUMBERS = ("reduction", "rounding", "whole")
 # What the arguments of a function are by their names: packed matrices, and numbers; all others are vectors.
 _MATRICES = frozenset({"matrix", "bent", "inverse", "middle", "covariance"})
@@ -54,7 +54,7 @@ def _polished(
 ) -> tuple[Formula, Formula]:
     """A last step by the gradient at the solution, which is summed from residuals and so sure to more digits than moments are; and whether that
     gradient says that the fit ended elsewhere."""
-    box = levenberg.Box(columns.low, columns.high)
+    box = levenberg.Box(columns.low, columns.high, columns.unit)
     moved = levenberg.polished(algebra, x, objective, ending, gradient, inverse, among, box)
     return moved, levenberg.adrift(algebra, squares / whole, brightness, ending, gradient, inverse, among)
 

@@ -28,14 +28,14 @@ def step_functions(size: int, form: str) -> list[str]:
     normal = [objective[0], terms[0], *gradient, *triangle_of(matrix)]
     scalars = [algebra.number(name) for name in SCALARS]
     damping, (running, iterations, ending, brightness) = levenberg.Damping(*scalars[:3]), scalars[3:]
-    low, high, fixed = (algebra.vector(name, size) for name in ("low", "high", "fixed"))
-    bounds = levenberg.Box(low, high)
+    low, high, unit, fixed = (algebra.vector(name, size) for name in ("low", "high", "unit", "fixed"))
+    bounds = levenberg.Box(low, high, unit)
     reduction, rounding = algebra.number("reduction"), algebra.number("rounding")
     precision = levenberg.Precision(reduction, rounding * terms + LEAST_NOISE[form] * brightness)
     at = levenberg.At(x, objective, gradient, matrix)
     state = Rows("state", "D").put([*x, *normal, *(s[0] for s in scalars)])
     own = Rows("own", "D").put(fixed)
-    box = Uniform("box", (*low, *high, *reduction, *rounding))
+    box = Uniform("box", (*low, *high, *unit, *reduction, *rounding))
     given, stopped = algebra.vector("given", size), algebra.vector("stopped", size)
     stops = Rows("stops", "D").put([*stopped, *given])
 
@@ -46,7 +46,7 @@ def step_functions(size: int, form: str) -> list[str]:
     step = levenberg.bounded_step(algebra, at, damping.size, bounds, stopped, given)
     results = [*algebra.lifted(step.stopped), *algebra.lifted(step.step), *algebra.lifted(step.leaving)]
     bounded_step = lane_function("bounded_step", [state, box, stops], [Target("next_stops", "D", results)])
-    proposed = levenberg.proposal(algebra, at, damping, given, bounds, precision)
+    proposed = levenberg.proposal(algebra, at, damping, given, bounds, precision, brightness)
     zero = np.zeros(1)
     moved = algebra.where(algebra.less(zero, running), proposed.moved, x)
     results = [*moved, *algebra.lifted(proposed.promised), *algebra.lifted(proposed.ending)]
