@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes.directions import from_spherical, theta
+from motes.fitting.grazing import missing_fresnel
 from motes.fitting.result import Fit
 from motes.fitting.time_result import TimeFit
 from motes.fitting.verdicts import Verdict
@@ -35,7 +36,7 @@ SCATTER = (0.3, 3.0)  # reduced chi-square that uncertainties and residuals agre
 def implausible_fit(fit: Fit | TimeFit) -> tuple[str, ...]:
     """What is odd about a fit, the most important first; empty when nothing is."""
     found: list[str] = []
-    for check in (_poor, _untold_scale, _beyond, _albedo, _backward, _unseen_roughness, _chi_square):
+    for check in (_poor, _untold_scale, _beyond, _albedo, _backward, _unseen_roughness, missing_fresnel, _chi_square):
         found += check(fit)
     return tuple(found)
 

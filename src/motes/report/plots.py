@@ -12,9 +12,9 @@ from motes.drawing.colour import Floats
 from motes.drawing.markup import Html, tag
 from motes.drawing.sphere import evaluate
 from motes.drawing.svg import Panel, Scale, number
+from motes.fitting.grazing import without_fresnel
 from motes.fitting.result import Fit
 from motes.models import BRDF, describe
-from motes.parameters import Place, Role
 from motes.report.figures import DEGREES, Shown, channel_key, figure, key
 from motes.report.slices import NearMirror, Slice, Slices, grows
 
@@ -113,7 +113,7 @@ def mirror_figure(fit: Fit, near: NearMirror, channels: Sequence[Shown]) -> Html
     rise = Panel(x, Scale.ratios(lowest, highest), "Measured over fitted", "θᵢ [°]", "ratio")
     rise.line([0, 90], [1, 1], "--ink", "guide")
     entries: list[tuple[str, str, str]] = []
-    if grows(near) and _without_fresnel(fit.brdf):
+    if grows(near) and without_fresnel(fit.brdf):
         theta = np.linspace(0, np.deg2rad(89.5), 90)
         F = np.asarray(equations.fresnel_dielectric(NUMPY, np.cos(theta), 1.5))
         at = np.asarray(equations.fresnel_dielectric(NUMPY, np.cos(near.theta_i), 1.5))
@@ -143,15 +143,6 @@ def mirror_figure(fit: Fit, near: NearMirror, channels: Sequence[Shown]) -> Html
         ],
         caption,
         channel_key(channels, entries),
-    )
-
-
-def _without_fresnel(brdf: BRDF) -> bool:
-    """Whether there are highlights, all of which could take a Fresnel term and have none."""
-    highlights = [part for part in brdf.walk() if any(p.role is Role.HIGHLIGHT_STRENGTH for p in part.declared())]
-    places = [{p.name for p in part.declared_parts() if p.place is Place.FRESNEL} for part in highlights]
-    return bool(highlights) and all(
-        own and not part.at_place(Place.FRESNEL) for part, own in zip(highlights, places, strict=True)
     )
 
 
