@@ -1,6 +1,6 @@
 """How often intervals hold the truth, and how errors compare with a bootstrap of real measurements; writes docs/uncertainty.md.
 
-    python tools/coverage_study.py [--repeats 200] [--data ../shared/data] [-o docs/uncertainty.md]
+    python tools/coverage_study.py [--repeats 200] [--kept FOLDER] [--data ../shared/data] [-o docs/uncertainty.md]
 
 Surfaces are simulated again and again, each time at other pairs of directions and with other noise, and fitted by
 oren_nayar + torrance_sparrow.  Where that is not the model that made them, the truth is the nearest it can come: its fit to 6,000 directions
@@ -15,16 +15,16 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from error_ways import WAYS, Recorded, held, recorded
+from error_ways import OURS, WAYS, Bars, recorded
 from numpy.typing import NDArray
 
 import motes
 from motes.directions import half_difference
 from motes.files import write_text
-from motes.fitting.clusters import Middle
 from motes.measurements import Measurement, list_samples
 
 Floats = NDArray[np.float64]
@@ -82,27 +82,26 @@ def vector(fit: motes.Fit) -> Floats:
 
 
 def simulated(
-    material: Callable[[np.random.Generator], motes.BRDF], near: float, smooth: float, count: int, repeats: int
-) -> Iterator[tuple[Measurement, Floats]]:
-    """Measurements, and the parameters that their intervals are to hold (P,)."""
-    dense = directions(DENSE, np.random.default_rng(99), near)
-    name = f"{material.__name__}, {near}"
-    for k in range(repeats):
-        rng = np.random.default_rng([11, k])
-        brdf = material(rng)
-        if brdf is SURFACE:
-            truth = np.concatenate([np.atleast_1d(slot.value) for slot in SURFACE.slots()])
-        else:
-            if (name, k) not in NEAREST:
-                clean = Measurement.from_arrays(*dense, brdf.eval(*dense))
-                NEAREST[name, k] = vector(motes.fit(clean, MODEL, errors="independent"))
-            truth = NEAREST[name, k]
-        wi, wo = directions(count, rng, near)
-        values = brdf.eval(wi, wo)
-        values = values * (1 + NOISE * rng.standard_normal(values.shape))
-        if smooth:
-            values = values * (1 + smooth * field(wi, wo, rng)[:, None])
-        yield Measurement.from_arrays(wi, wo, values), truth
+    material: Callable[[np.random.Generator], motes.BRDF], near: float, smooth: float, count: int, repeat: int
+) -> tuple[Measurement, Floats]:
+    """A measurement, and the parameters that its intervals are to hold (P,)."""
+    rng = np.random.default_rng([11, repeat])
+    brdf = material(rng)
+    if brdf is SURFACE:
+        truth = np.concatenate([np.atleast_1d(slot.value) for slot in SURFACE.slots()])
+    else:
+        name = f"{material.__name__}, {near}", repeat
+        if name not in NEAREST:
+            dense = directions(DENSE, np.random.default_rng(99), near)
+            clean = Measurement.from_arrays(*dense, brdf.eval(*dense))
+            NEAREST[name] = vector(motes.fit(clean, MODEL, errors="independent"))
+        truth = NEAREST[name]
+    wi, wo = directions(count, rng, near)
+    values = brdf.eval(wi, wo)
+    values = values * (1 + NOISE * rng.standard_normal(values.shape))
+    if smooth:
+        values = values * (1 + smooth * field(wi, wo, rng)[:, None])
+    return Measurement.from_arrays(wi, wo, values), truth
 
 
 CASES: dict[str, tuple[Callable[[np.random.Generator], motes.BRDF], float, float, int]] = {
@@ -116,42 +115,60 @@ CASES: dict[str, tuple[Callable[[np.random.Generator], motes.BRDF], float, float
 }
 
 
-def covered(case: str, repeats: int) -> tuple[dict[str, Floats], int, list[tuple[Recorded, Floats]]]:
-    """The share of intervals of 68 and 95 % (2, P) that hold the truth, by kind of errors; how often the default was blocks; and the fits with their truths.
+@dataclass(frozen=True)
+class Repeat:
+    """A repeat of a case: the truth (P,), whether the default was blocks, whether the intervals of Motes' two kinds of errors hold the truth (2, P), 68 and
+    95 %, NaN where there is none or the truth is at a bound, and the bars of all ways."""
 
-    A truth at a bound does not count.
-    """
-    fits: list[tuple[Recorded, Floats]] = []
-    inside: dict[str, list[Floats]] = {"blocks": [], "independent": []}
-    default = 0
-    for data, truth in simulated(*CASES[case], repeats):
+    truth: Floats
+    default: bool
+    blocks: Floats
+    independent: Floats
+    bars: Bars
+
+    @classmethod
+    def of(cls, case: str, number: int) -> Repeat:
+        data, truth = simulated(*CASES[case], number)
         with recorded() as found:
             first = motes.fit(data, MODEL)
-            default += first.errors.kind == "blocks"
-            second = motes.fit(data, MODEL, errors="independent" if first.errors.kind == "blocks" else "blocks")
-        fits.append((found[0], truth))
+            default = first.errors.kind == "blocks"
+            second = motes.fit(data, MODEL, errors="independent" if default else "blocks")
+        inside: dict[str, Floats] = {}
         for fit in (first, second):
             rows = []
             for level in ("68", "95"):
                 ends = np.concatenate([np.atleast_2d(p.intervals[level]) for p in fit.parameters.values()])
                 there = (ends[:, 0] <= truth) & (truth <= ends[:, 1])
                 rows.append(np.where(np.isfinite(ends[:, 0]) & (truth > 1e-6), there, np.nan))
-            inside[fit.errors.kind].append(np.array(rows))
-    counted = {kind: np.array(rows) for kind, rows in inside.items()}
-    shares = {}
-    for kind, rows in counted.items():
-        counts = np.isfinite(rows).sum(axis=0)
-        shares[kind] = np.where(counts > repeats / 4, 100 * np.nansum(rows, axis=0) / np.maximum(counts, 1), np.nan)
-    return shares, default, fits
+            inside[fit.errors.kind] = np.array(rows)
+        return cls(truth, default, inside["blocks"], inside["independent"], Bars.of(found[0]))
+
+    @classmethod
+    def kept(cls, case: str, number: int, folder: Path | None) -> Repeat:
+        """The repeat, out of the folder if it is there: each is a file, so that a run can be stopped and go on."""
+        if folder is None:
+            return cls.of(case, number)
+        path = folder / f"{list(CASES).index(case)}-{number}.npz"
+        if path.exists():
+            with np.load(path) as kept:
+                if list(kept["ways"]) == list(WAYS):
+                    own = [kept[name] for name in ("truth", "blocks", "independent")]
+                    return cls(own[0], bool(kept["default"]), own[1], own[2], Bars(*(kept[n] for n in Bars._fields)))
+        made = cls.of(case, number)
+        folder.mkdir(parents=True, exist_ok=True)
+        own = {"truth": made.truth, "blocks": made.blocks, "independent": made.independent, "default": made.default}
+        np.savez(folder / "part.npz", ways=list(WAYS), **own, **made.bars._asdict())  # type: ignore[arg-type]
+        (folder / "part.npz").replace(path)
+        return made
 
 
-def shares_held(fits: list[tuple[Recorded, Floats]], middles: list[Middle], widened: float = 1.0) -> Floats:
+def shares_held(repeats: list[Repeat], way: str, widened: float = 1.0) -> Floats:
     """The shares of intervals of 68 and 95 % that hold the truth (2,), in percent."""
-    rows = np.array([held(fit, middle, truth, widened) for (fit, truth), middle in zip(fits, middles, strict=True)])
+    rows = np.array([one.bars.held(way, one.truth, widened) for one in repeats])
     return np.asarray(100 * np.nanmean(np.nanmean(rows, axis=0), axis=1))
 
 
-def compared(every: dict[str, list[tuple[Recorded, Floats]]]) -> list[str]:
+def compared(every: dict[str, list[Repeat]]) -> list[str]:
     """A row a way: what its intervals cover in each case; in how many of those with misfit they cover what they should; and how they would trade off."""
     cases = list(every)
     missing = [case for case in cases if not case.startswith("independent")]
@@ -160,20 +177,20 @@ def compared(every: dict[str, list[tuple[Recorded, Floats]]]) -> list[str]:
         "|---" * (3 + len(cases)) + "|",
     ]
     for way in WAYS:
-        middles = {case: [WAYS[way](fit) for fit, _ in fits] for case, fits in every.items()}
-        shares = {case: shares_held(fits, middles[case]) for case, fits in every.items()}
+        shares = {case: shares_held(repeats, way) for case, repeats in every.items()}
         good = sum(LOW[0] <= a <= HIGH[0] and LOW[1] <= b <= HIGH[1] for a, b in (shares[case] for case in missing))
         for widened in np.arange(1.5, 0.5, -0.05):
-            if max(shares_held(every[case], middles[case], widened)[0] for case in missing) <= HIGH[0]:
+            if max(shares_held(every[case], way, widened)[0] for case in missing) <= HIGH[0]:
                 break
-        last = shares_held(every[cases[-1]], middles[cases[-1]], widened)
+        last = shares_held(every[cases[-1]], way, widened)
         cells = " | ".join(f"{a:.0f}, {b:.0f}" for a, b in shares.values())
-        lines.append(f"| {way} | {cells} | {good} of {len(missing)} | {last[0]:.0f}, {last[1]:.0f} |")
+        name = f"**{way}**: what Motes does" if way == OURS else way
+        lines.append(f"| {name} | {cells} | {good} of {len(missing)} | {last[0]:.0f}, {last[1]:.0f} |")
         print(lines[-1], flush=True)
     return lines
 
 
-def coverage(repeats: int) -> tuple[list[str], list[str]]:
+def coverage(repeats: int, folder: Path | None) -> tuple[list[str], list[str]]:
     """The tables of what Motes' intervals cover, and of other ways to compute them."""
     names = [
         slot.name + (f"[{k + 1}]" if np.size(slot.value) > 1 else "")
@@ -181,14 +198,21 @@ def coverage(repeats: int) -> tuple[list[str], list[str]]:
         for k in range(np.size(slot.value))
     ]
     lines = [f"| data | errors | default in | all | {' | '.join(names)} |", "|---" * (4 + len(names)) + "|"]
-    every = {}
-    for case in CASES:
-        shares, default, every[case] = covered(case, repeats)
-        for kind, (one, two) in shares.items():
-            cells = " | ".join("" if np.isnan(a) else f"{a:.0f}, {b:.0f}" for a, b in zip(one, two, strict=True))
+    every: dict[str, list[Repeat]] = {case: [] for case in CASES}
+    for number in range(repeats):
+        for case, found in every.items():
+            found.append(Repeat.kept(case, number, folder))
+        NEAREST.clear()
+    for case, found in every.items():
+        default = sum(one.default for one in found)
+        for kind in ("blocks", "independent"):
+            rows = np.array([getattr(one, kind) for one in found])
+            counts = np.isfinite(rows).sum(axis=0)
+            shares = np.where(counts > repeats / 4, 100 * np.nansum(rows, axis=0) / np.maximum(counts, 1), np.nan)
+            cells = " | ".join("" if np.isnan(a) else f"{a:.0f}, {b:.0f}" for a, b in zip(*shares, strict=True))
             chosen = 100 * (default if kind == "blocks" else repeats - default) / repeats
-            mean = f"**{np.nanmean(one):.0f}, {np.nanmean(two):.0f}**"
-            lines.append(f"| {case} | {kind} | {chosen:.0f} % | {mean} | {cells} |")
+            one, two = np.nanmean(shares, axis=1)
+            lines.append(f"| {case} | {kind} | {chosen:.0f} % | **{one:.0f}, {two:.0f}** | {cells} |")
             print(lines[-1], flush=True)
     return lines, compared(every)
 
@@ -242,12 +266,13 @@ def _median(values: list[float]) -> str:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--repeats", type=int, default=200)
+    parser.add_argument("--kept", type=Path, help="where repeats are kept, and those of an earlier run taken from")
     parser.add_argument("--data", type=Path, default=Path("../shared/data"))
     parser.add_argument(
         "-o", "--output", type=Path, default=Path(__file__).resolve().parents[1] / "docs" / "uncertainty.md"
     )
     options = parser.parse_args()
-    table, ways = coverage(options.repeats)
+    table, ways = coverage(options.repeats, options.kept)
     page = [
         "# How far error bars are to be believed",
         "",

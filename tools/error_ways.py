@@ -14,8 +14,7 @@ from numpy.typing import NDArray
 
 import motes.fitting.uncertainty
 from motes.fitting.clusters import Middle, evened, middle_over
-from motes.fitting.columns import in_own_units
-from motes.fitting.direction_blocks import Labels, blocks_of, coordinates
+from motes.fitting.direction_blocks import BLOCKS, Labels, blocks_of, coordinates
 from motes.fitting.error_bars import LEVELS
 from motes.fitting.problem import Problem
 from motes.fitting.students_t import half_width
@@ -119,33 +118,54 @@ def distances(at: Floats) -> Floats:
     return np.sqrt(np.sum((at[:, None] - at[None]) ** 2, axis=-1))
 
 
-#: The ways, the one that Motes goes first.
+#: The ways; and the one that Motes goes.
 WAYS: dict[str, Callable[[Recorded], Middle]] = {
-    "24 blocks, CR2: what Motes does": over_blocks(24, 0.5),
-    "24 blocks, CR3, the jackknife: what it did": over_blocks(24, 1.0),
-    "24 blocks, nothing made up for (CR0)": over_blocks(24, 0.0),
-    "8 blocks, CR2": over_blocks(8, 0.5),
-    "16 blocks, CR2": over_blocks(16, 0.5),
-    "48 blocks, CR2": over_blocks(48, 0.5),
+    **{f"{count} blocks, CR2": over_blocks(count, 0.5) for count in (8, 12, 16, 20, 24, 48)},
+    "24 blocks, CR3: the jackknife": over_blocks(24, 1.0),
     "8 blocks, CR3": over_blocks(8, 1.0),
+    "24 blocks, nothing made up for (CR0)": over_blocks(24, 0.0),
     "blocks as long as residuals are alike, CR2": over_blocks(None, 0.5),
     "kernel of 0.2 rad (Conley)": over_distance(0.2),
     "kernel of 0.4 rad (Conley)": over_distance(0.4),
     "each direction by itself, CR2": by_direction,
 }
+OURS = f"{BLOCKS} blocks, CR2"
 
 
-def held(fit: Recorded, middle: Middle, truth: Floats, widened: float = 1.0) -> Floats:
-    """Whether the intervals of a way hold the truth (P,), in the parameters' own units: (2, P), NaN where there is no interval or the truth is at a bound."""
-    columns = fit.problem.columns
-    errors = widened * np.sqrt(np.maximum(np.diag(fit.inverse @ middle.matrix @ fit.inverse), 0.0))
-    counts = (np.diag(fit.inverse) > 0) & (truth > 1e-6)
-    rows = []
-    for level in LEVELS.values():
-        width = errors * np.array([half_width(level, float(f"{f:.3g}")) for f in middle.freedom])
-        low, high = (
-            in_own_units(np.clip(fit.x + sign * width, columns.low[:, 0], columns.high[:, 0]), columns)
-            for sign in (-1, 1)
+class Bars(NamedTuple):
+    """What is kept of a fit: the solution and its bounds (P,), what has an error, and by each of `WAYS` errors and degrees of freedom (W, P)."""
+
+    x: Floats
+    low: Floats
+    high: Floats
+    squared: Floats
+    known: NDArray[np.bool_]
+    errors: Floats
+    freedom: Floats
+
+    @classmethod
+    def of(cls, fit: Recorded) -> Bars:
+        middles = [way(fit) for way in WAYS.values()]
+        squares = [np.diag(fit.inverse @ middle.matrix @ fit.inverse) for middle in middles]
+        columns = fit.problem.columns
+        return cls(
+            fit.x,
+            columns.low[:, 0],
+            columns.high[:, 0],
+            columns.squared[:, 0],
+            np.diag(fit.inverse) > 0,
+            np.sqrt(np.maximum(squares, 0.0)),
+            np.stack([middle.freedom for middle in middles]),
         )
-        rows.append(np.where(counts, (low <= truth) & (truth <= high), np.nan))
-    return np.array(rows)
+
+    def held(self, way: str, truth: Floats, widened: float = 1.0) -> Floats:
+        """Whether the intervals of a way hold the truth (P,), which is in the parameters' own units: (2, P), NaN where there is none or the truth is 0."""
+        row = list(WAYS).index(way)
+        counts = self.known & (truth > 1e-6)
+        found = []
+        for level in LEVELS.values():
+            widths = np.array([half_width(level, float(f"{f:.3g}")) for f in self.freedom[row]])
+            ends = np.clip(self.x + np.outer([-1, 1], widened * widths * self.errors[row]), self.low, self.high)
+            low, high = np.where(self.squared > 0, np.sqrt(np.maximum(ends, 0.0)), ends)
+            found.append(np.where(counts, (low <= truth) & (truth <= high), np.nan))
+        return np.array(found)
