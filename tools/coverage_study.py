@@ -1,6 +1,6 @@
 """How often intervals hold the truth, and how errors compare with a bootstrap of real measurements; writes docs/uncertainty.md.
 
-    python tools/coverage_study.py [--repeats 200] [--kept FOLDER] [--data ../shared/data] [-o docs/uncertainty.md]
+    python tools/coverage_study.py [--repeats 200] [--kept FOLDER] [--simulated] [--data ../shared/data] [-o ...]
 
 Surfaces are simulated again and again, each time at other pairs of directions and with other noise, and fitted by
 oren_nayar + torrance_sparrow.  Where that is not the model that made them, the truth is the nearest it can come: its fit to 6,000 directions
@@ -267,11 +267,24 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--repeats", type=int, default=200)
     parser.add_argument("--kept", type=Path, help="where repeats are kept, and those of an earlier run taken from")
+    parser.add_argument(
+        "--simulated", action="store_true", help="leave what the page says of real measurements as it is"
+    )
     parser.add_argument("--data", type=Path, default=Path("../shared/data"))
     parser.add_argument(
         "-o", "--output", type=Path, default=Path(__file__).resolve().parents[1] / "docs" / "uncertainty.md"
     )
     options = parser.parse_args()
+    title = "## Real measurements"
+    if options.simulated:
+        last = options.output.read_text().partition(title)[2].strip("\n").splitlines()
+    else:
+        last = [
+            "The error by the block bootstrap (400 draws) over that by the formula, medians over materials: near 1 where the formula says what happens",
+            f"when other blocks are measured. `{MODEL}`; of more than 2,000 directions an even part. Blank: at a bound.",
+            "",
+            *ratios(options.data),
+        ]
     table, ways = coverage(options.repeats, options.kept)
     page = [
         "# How far error bars are to be believed",
@@ -287,32 +300,34 @@ def main() -> None:
         "",
         *table,
         "",
-        "Where the noise is independent both hold. Where the model misses something, intervals over independent samples hold the truth half as often",
-        "as they say, and those over blocks about as often, but for a field that is another one in every repeat and reaches from block to block: there",
-        "they are too narrow. Were the directions the same in every repeat, only the noise would differ: errors that hold for what the model misses would",
-        "then cover always.",
+        "Where the noise is independent both ways hold. Where the model misses something, intervals over independent samples hold the truth half as often as",
+        "they say, and those over blocks about as often. They are too narrow for a field that is another one in every repeat and reaches from block to block.",
+        "Were the directions the same in every repeat, only the noise would differ: errors that hold for what the model misses would then cover always.",
         "",
         "## Ways to compute them",
         "",
-        "The same fits, their errors computed in other ways. To aim at: 55 to 80 % and 88 to 99 % where the model misses something; in how many of the",
-        "five is in the last column but one. CR2 and CR3 make up for what a block did to the fit itself (Bell and McCaffrey 2002), each with its degrees of",
-        "freedom; a block is as long as residuals are alike where its side is twice the distance at which their correlation sinks below 0.2.",
+        f"{options.repeats} repeats of the same designs, from the same fits; such shares are good to about {spread(options.repeats)}. To aim at: 55 to 80 %",
+        "and 88 to 99 % in the five designs with misfit. The last column: what is left for the field when a way is widened or narrowed until the widest",
+        "of all covers 80 %. CR2 and CR3 make up for what a block did to the fit itself (Bell and McCaffrey 2002), each with its degrees of freedom; a",
+        "block is as long as residuals are alike where its side is twice the distance at which their correlation sinks below 0.2.",
         "",
         *ways,
         "",
-        "What a model misses is the same in every repeat, and only directions are drawn anew: each direction then counts nearly by itself, and blocks are",
-        "wide. A random field is drawn anew, too, and blocks are narrow. In one set of data both look alike, so no way holds for all: the last column says",
-        "what is left for the field when a way is widened or narrowed until the widest of all covers 80 %, and that differs little from way to way. Those",
-        "who know that what a model misses varies from sample to sample, and want errors for that, should measure several samples.",
+        "What a model misses is the same in every repeat, and only directions are drawn anew: each direction then counts nearly by itself, and few",
+        "blocks, which are wide, cover too often. A random field is drawn anew, too, and many blocks, which are narrow, cover too seldom. In one set of",
+        "data both look alike, so no way holds for all, and the last column differs little from way to way. Those who know that what a model misses",
+        "varies from sample to sample, and want errors for that, should measure several samples.",
         "",
-        "## Real measurements",
+        title,
         "",
-        "The error by the block bootstrap (400 draws) over that by the formula, medians over materials: near 1 where the formula says what happens when other",
-        f"blocks are measured. `{MODEL}`; of more than 2,000 directions an even part. Blank: at a bound.",
-        "",
-        *ratios(options.data),
+        *last,
     ]
     write_text(options.output, "\n".join(page) + "\n")
+
+
+def spread(repeats: int) -> int:
+    """How far the mean over some six parameters, which go together, is off by chance [%]: one standard deviation or a little more."""
+    return round(45 / repeats**0.5)
 
 
 if __name__ == "__main__":

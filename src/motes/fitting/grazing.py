@@ -75,4 +75,5 @@ def _share_beyond(fit: Fit | TimeFit) -> float:
 
 
 def _highlights(brdf: BRDF) -> list[BRDF]:
-    return [part for part in brdf.walk() if any(p.role is Role.HIGHLIGHT_STRENGTH for p in part.declared())]
+    parts = [part for part in brdf.walk() if isinstance(part, BRDF)]
+    return [part for part in parts if any(p.role is Role.HIGHLIGHT_STRENGTH for p in part.declared())]

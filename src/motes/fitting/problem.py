@@ -30,8 +30,7 @@ from motes.models import BRDF
 
 Part = TypeVar("Part")
 Vector = TypeVar("Vector", Floats, NDArray[np.bool_])
-# Elements (parameter sets x samples x channels) worked on at a time: few enough that the arrays of a pass stay in
-# cache, enough that NumPy's overhead of a call does not show.
+# Elements (parameter sets x samples x channels) worked on at a time: few enough that a pass stays in cache, enough that NumPy's overhead does not show.
 CHUNK = 1 << 17
 #: With more than twice as many channels, what asks for many fits is asked of this many, evenly spaced.
 CHANNELS = 64
