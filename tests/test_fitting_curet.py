@@ -10,6 +10,8 @@ import pytest
 
 import motes
 from fitting_oracle import Oracle, Projected, scattered
+from motes.fitting.climbing import climb
+from motes.fitting.setup import Wishes
 from motes.measurements import Measurement
 
 SAMPLES = (
@@ -94,6 +96,15 @@ def test_sample_10_as_known(shared_file: Shared) -> None:
         p = motes.fit(data, "oren_nayar", loss=loss).parameters
         assert round(p["sigma_d"].value, 3) == sigma_d
         assert round(p["K_d"].value, 3) == K_d
+
+
+def test_what_the_whole_does_not_see_its_parts_do_not_fit(shared_file: Shared) -> None:
+    # The width of a highlight that is next to nothing: fits to parts made a spike of it, and missed what was left out by a factor of 180,000.
+    rungs = climb(
+        motes.read(shared_file("curet/abrdf.dat"), sample=40), Wishes("linear", "none", "measurement", (), ())
+    )
+    (tails,) = (rung for rung in rungs if rung.text == "eon + gtr(fresnel=schlick)")
+    assert 1 <= tails.left_out.sum() / tails.objective < 10
 
 
 def test_medians_of_the_set_as_known(shared_file: Shared) -> None:

@@ -25,7 +25,7 @@ from motes.fitting.result import Trial
 from motes.fitting.setup import check_enough
 from motes.fitting.solver import minimize
 from motes.fitting.starts import starting_points
-from motes.fitting.uncertainty import at_rest
+from motes.fitting.uncertainty import at_rest, unseen
 from motes.fitting.verdicts import Status
 from motes.models import BRDF
 from motes.models.composition import layer_of
@@ -200,17 +200,23 @@ def _folds(problem: Problem, blocks: Labels) -> list[Floats]:
 
 
 def _left_out(problem: Problem, x: Floats, blocks: Labels, folds: list[Floats]) -> Floats:
-    """What each block adds to the objective (G,), predicted by fits that did not see it, which start at `x`."""
+    """What each block adds to the objective (G,), predicted by fits that did not see it, which start at `x`.
+
+    What the whole does not see, as the width of a highlight of no strength, its parts do not fit: a few steps along their rounding or along
+    one bright sample would lead anywhere.
+    """
     count, turns = int(blocks.max()) + 1, len(folds)
     at = np.repeat(x[None], max(turns, 1), axis=0)
     if turns:
         weights = np.stack(folds)
+        held = unseen(problem, x)
         parts = replace(problem, values=np.broadcast_to(problem.values, weights.shape), weights=weights)
         for _ in range(FOLD_ROUNDS):
             at = minimize(
                 Chord(parts, at).normal,
                 at,
                 *parts.bounds,
+                held=held,
                 sets=np.arange(turns),
                 brightness=parts.brightness(),
                 unit=parts.columns.unit[:, 0],

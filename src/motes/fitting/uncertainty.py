@@ -15,6 +15,7 @@ from motes.fitting.direction_blocks import Labels
 from motes.fitting.losses import Floats
 from motes.fitting.objective import Objective
 from motes.fitting.second_look import REFIT_ITERATIONS, REFIT_REDUCTION, Rows, Solved, look_again
+from motes.fitting.solver import Normal
 from motes.fitting.verdicts import Verdict
 from motes.parameters import Parameter
 
@@ -50,13 +51,22 @@ class Uncertainty(NamedTuple):
             return np.asarray(self.covariance / np.outer(root, root))
 
 
+def unseen(objective: Objective, x: Floats) -> NDArray[np.bool_]:
+    """Which parameters the data do not see at `x` (P,)."""
+    return np.asarray(_unseen(objective, x, objective.normal(x[None]))[:, 0] > 0)
+
+
+def _unseen(objective: Objective, x: Floats, at: Normal) -> Floats:
+    matrix, bright = np.moveaxis(at.matrix, 0, 2), np.atleast_1d(objective.brightness().sum())
+    with np.errstate(all="ignore"):
+        return np.asarray(steps.standing(ARRAYS, x[:, None], matrix, objective.columns, bright).unseen)
+
+
 def at_rest(objective: Objective, x: Floats) -> Floats:
     """The solution `x` (P,) with what the data do not see at its default, where the others fit as well beside that."""
-    at, columns = objective.normal(x[None]), objective.columns
-    bright = np.atleast_1d(objective.brightness().sum())
+    at = objective.normal(x[None])
     with np.errstate(all="ignore"):
-        unseen = steps.standing(ARRAYS, x[:, None], np.moveaxis(at.matrix, 0, 2), columns, bright).unseen
-        rested = steps.rested(ARRAYS, x[:, None], unseen, columns)[:, 0]
+        rested = steps.rested(ARRAYS, x[:, None], _unseen(objective, x, at), objective.columns)[:, 0]
         if np.array_equal(rested, x):
             return x
         alike = steps.alike(ARRAYS, at.objective, objective.normal(rested[None]).objective)
