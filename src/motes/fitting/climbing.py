@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -36,7 +36,7 @@ def climb(
     data: Measurement,
     wishes: Wishes,
     say: Say = lambda what: None,
-    also: Collection[str] = (),
+    also: Sequence[Rung] = (),
     models: Sequence[str] = (),
 ) -> tuple[Rung, ...]:
     """Fit the candidates to one scan; in the order of the ladder.
@@ -46,7 +46,8 @@ def climb(
     say
         Called with each candidate before it is fitted.
     also
-        Candidates that are fitted even if they do not look worth it.
+        What was fitted to another scan of a series: slow candidates among it are fitted even if they do not look worth it, from where they ended
+        there.
     models
         What is fitted in place of the candidates, in this order, as it is written.
 
@@ -128,7 +129,7 @@ class _Ladder:
         for rung, own in coloured:
             self._try(rung.text, own)
 
-    def layers(self, also: Collection[str]) -> None:
+    def layers(self, also: Sequence[Rung]) -> None:
         """Those with a layer; with the strengths of highlights as the best clean one has them."""
         if not self.rungs:
             return
@@ -145,14 +146,15 @@ class _Ladder:
             layer = layer_of(model)
             if layer is None:
                 continue
-            if candidate.slow and candidate.text not in also:
+            near = next((rung for rung in also if candidate.slow and rung.text == candidate.text), None)
+            if candidate.slow and near is None:
                 once = [rung for rung in self.rungs if _base(rung) == describe(layer.base)]
                 if not any(worthwhile(rung) for rung in once):
                     continue
             names = tuple(slot.name for slot in model.slots(Role.HIGHLIGHT_STRENGTH)) if best.per_channel else ()
-            self._try(candidate.text, names)
+            self._try(candidate.text, names, near)
 
-    def _try(self, text: str, per_channel: tuple[str, ...] = ()) -> Rung | None:
+    def _try(self, text: str, per_channel: tuple[str, ...] = (), near: Rung | None = None) -> Rung | None:
         """A candidate as a new rung; None where it has too many parameters for the data, or none that is free."""
         wishes = self.wishes
         parsed = parse(text)
@@ -169,7 +171,7 @@ class _Ladder:
                 if self._blocks.max() + 1 < FEWEST_BLOCKS:
                     self._blocks = np.zeros_like(self._blocks)
             problem = under_robust(problem, wishes.robust, self.plain) if self.plain else problem
-            found = rung_of(text, brdf, problem, self.rungs, self._blocks, per_channel)
+            found = rung_of(text, brdf, problem, self.rungs, self._blocks, per_channel, near)
         except DataError as error:
             self.too_few = self.too_few or error
             return None

@@ -101,7 +101,13 @@ class Rung:
 
 
 def rung_of(
-    text: str, brdf: BRDF, problem: Problem, below: Sequence[Rung], blocks: Labels, per_channel: tuple[str, ...] = ()
+    text: str,
+    brdf: BRDF,
+    problem: Problem,
+    below: Sequence[Rung],
+    blocks: Labels,
+    per_channel: tuple[str, ...] = (),
+    near: Rung | None = None,
 ) -> Rung:
     """A candidate, fitted to a problem from what `below` found, and to parts of it.
 
@@ -109,6 +115,8 @@ def rung_of(
     ----------
     blocks
         Which block each of the problem's pairs of directions is in (N,).
+    near
+        The same candidate, fitted to data that are much like these: a search for where to start is spared.
 
     Raises
     ------
@@ -118,7 +126,11 @@ def rung_of(
     folds = _folds(problem, blocks)
     fewest = min([problem.samples, *(int(np.count_nonzero(weights)) for weights in folds)])
     check_enough(fewest, problem.size, brdf)
-    x, objective, status = _fitted(problem, _lanes(problem, below, layer_of(brdf) is not None))
+    if near is None:
+        lanes = _lanes(problem, below, layer_of(brdf) is not None)
+    else:
+        lanes = np.unique(np.stack([_carried(problem, rung) for rung in (near, *_lenders(below))]), axis=0)
+    x, objective, status = _fitted(problem, lanes)
     return Rung(text, brdf, problem, x, objective, status, _left_out(problem, x, blocks, folds), per_channel)
 
 
@@ -139,7 +151,7 @@ def _lanes(problem: Problem, below: Sequence[Rung], layered: bool) -> Floats:
     if not below or whole <= LANES:
         return starting_points(problem, None, most=KEPT)
     names = {q.name for q in problem.quantities}
-    lenders = sorted(below, key=lambda rung: rung.objective)[:LENDERS]
+    lenders = _lenders(below)
     lanes = [_carried(problem, rung) for rung in lenders]
     # A layer is laid on what lies below it, in several thicknesses.
     parents = [rung for rung in below if not (layered and rung.layered)] or list(below)
@@ -158,6 +170,11 @@ def _lanes(problem: Problem, below: Sequence[Rung], layered: bool) -> Floats:
             lane[q.where] = q.coordinate(np.array(value))
         lanes.append(lane)
     return np.unique(np.stack(lanes), axis=0)
+
+
+def _lenders(below: Sequence[Rung]) -> list[Rung]:
+    """The candidates before whose ends are worth starting from."""
+    return sorted(below, key=lambda rung: rung.objective)[:LENDERS]
 
 
 def _carried(problem: Problem, rung: Rung) -> Floats:

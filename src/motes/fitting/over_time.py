@@ -110,7 +110,7 @@ def _choose(data: Measurement, usable: NDArray[np.intp], wishes: Wishes) -> tupl
     # The last first: dust gathers, and a layer that one scan asks for is tried on the others.
     scans: list[tuple[Rung, ...]] = []
     for t in reversed(looked_at):
-        scans.insert(0, climb(data.at(t), wishes, also=[rung.text for scan in scans for rung in scan]))
+        scans.insert(0, climb(data.at(t), wishes, also=[rung for scan in scans for rung in scan]))
     columns = [
         found
         for rung in scans[-1]
