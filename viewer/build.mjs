@@ -20,4 +20,5 @@ await build({
   // A classic reader of HTML would take these for the start of a comment.
   supported: { 'template-literal': true },
 });
+await build({ ...common, entryPoints: ['src/maps.ts'], outfile: join(folder, 'maps.js'), format: 'esm', target: 'es2022', supported: { 'template-literal': true } });
 await build({ ...common, entryPoints: ['src/style.css'], outfile: join(folder, 'viewer.css'), target: 'es2022' });

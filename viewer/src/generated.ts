@@ -815,3 +815,39 @@ export interface Payload {
   models: Record<string, unknown>;
   shapes: ShapesView;
 }
+
+/** A map of a parameter. Base64 of little-endian numbers: values and stderr float32 (Y, X, times, channels), NaN where there is none; verdicts uint8, a code for each texel or for each texel and time, of several channels the worst. The spans are the ends of colour scales. */
+export interface LayerView {
+  name: string;
+  doc: string;
+  unit: string;
+  times: number;
+  channels: number;
+  values: string;
+  stderr: string | null;
+  verdicts: string | null;
+  span: [number, number];
+  error_span: [number, number] | null;
+}
+
+/** All that the page of a fitted map gets: every `step`-th texel of rows and columns. Verdicts and statuses by name: the code, the colour; ramp is 256 colours of three bytes. */
+export interface MapPayload {
+  format: 'motes map';
+  version: number;
+  motes: string;
+  name: string;
+  model: string;
+  shape: [number, number];
+  step: number;
+  hours: number[];
+  channels: string[];
+  to_srgb: number[][];
+  color: string;
+  ramp: string;
+  verdicts: Record<string, [number, string]>;
+  statuses: Record<string, [number, string]>;
+  status: string;
+  residual: LayerView;
+  layers: LayerView[];
+  notes: string[];
+}

@@ -2,7 +2,7 @@
 
 import type { MeasurementView } from './generated';
 import { Problem } from './problem';
-import { bytes } from './shapes';
+import { bytes } from './packed';
 import { RANGES } from './state';
 import { HORIZON, readTable } from './table';
 

@@ -2,6 +2,7 @@
 
 import { BufferAttribute, BufferGeometry } from 'three';
 import type { ShapeView } from './generated';
+import { bytes } from './packed';
 import { Problem } from './problem';
 import { settle } from './settle';
 
@@ -17,14 +18,6 @@ export interface Triangles {
 /** The longest side of a mesh, where the sphere has a diameter of 2. */
 const WIDEST = 2.3;
 export const MOST_TRIANGLES = 5_000_000;
-
-/** The bytes of base64. */
-export function bytes(text: string): ArrayBuffer {
-  const letters = atob(text);
-  const array = new Uint8Array(letters.length);
-  for (let k = 0; k < letters.length; k += 1) array[k] = letters.charCodeAt(k);
-  return array.buffer;
-}
 
 /** A mesh of the page. */
 export function embedded(view: ShapeView): BufferGeometry {

@@ -28,7 +28,7 @@ def view(
     reading: Reading = Reading(),  # noqa: B008 (an immutable value)
     common: Common = Common(),  # noqa: B008
 ) -> int:
-    """Write a page to look at a material, a fit or measured data, and open it.
+    """Write a page to look at a material, a fit, a fitted map or measured data, and open it.
 
     One self-contained HTML file that asks the network for nothing: the material on a sphere, teapot, bunny or mesh of one's own,
     its lobe, sliders for its parameters, its course in time, measured points over it. Measured data are fitted first.
@@ -36,7 +36,7 @@ def view(
     Parameters
     ----------
     subject
-        A material.json, a folder of motes fit, a preset, a model such as "oren_nayar(K_d=0.8)", or measured data.
+        A material.json, a folder of motes fit, a preset, a model such as "oren_nayar(K_d=0.8)", measured data, or a map that motes fit wrote.
     output
         The file to write; NAME-view.html when not given.
     against
@@ -56,6 +56,8 @@ def view(
     from motes.presets import given
     from motes.viewer import view as look
 
+    if paths.is_map(subject):
+        return _view_map(subject, output, against or data, open_, common)
     notes: list[str] = []
     fitted: dict[str, Any] | None = None
     points = _read(data, reading, common) if data is not None else None
@@ -94,6 +96,39 @@ def view(
             rows.append(("points", f"{held['count']:,} pairs of directions, {len(held['hours'])} scans"))
         rows += [("note", note) for note in shown.payload["notes"]]
         console.print_facts([*rows, ("written", f"{written} ({size / 1e6:.2f} MB)")])
+    return 0
+
+
+def _view_map(subject: str, output: str | None, other: str | None, open_: bool | None, common: Common) -> int:
+    """The page of a fitted map."""
+    import sys
+
+    from motes.cli import console, paths
+    from motes.errors import DataError, MotesError
+    from motes.maps import FittedMap, open_map
+    from motes.viewer import view as look
+
+    if other is not None:
+        raise MotesError(f"a map is shown alone, without {other}", "Leave out --against and --data")
+    found = open_map(subject)
+    if not isinstance(found, FittedMap):
+        raise DataError(
+            f"{subject} holds measured reflectance, not fitted parameters", f"motes fit {subject} fits every texel"
+        )
+    with console.progress(common, "reading the map"):
+        shown = look(found)
+    target = Path(output or f"{paths.slug(found.name)}-view.html")
+    opened = open_ if open_ is not None else console.on_terminal(sys.stdout) and not common.json
+    written = shown.open(target) if opened else shown.save(target)
+    rows, columns = shown.payload["shape"]
+    size = written.stat().st_size
+    if common.json:
+        facts = {"map": found.name, "shape": [rows, columns], "step": shown.payload["step"]}
+        console.print_json({**facts, "notes": shown.payload["notes"], "file": str(written), "bytes": size})
+    elif not common.quiet:
+        notes = [("note", note) for note in shown.payload["notes"]]
+        texels = ("texels", f"{columns} x {rows}, {len(found.hours)} times, {len(shown.payload['layers'])} maps")
+        console.print_facts([("map", found.name), texels, *notes, ("written", f"{written} ({size / 1e6:.2f} MB)")])
     return 0
 
 

@@ -132,3 +132,43 @@ class Payload(TypedDict):
     library: dict[str, ShaderView]
     models: dict[str, Any]
     shapes: ShapesView
+
+
+class LayerView(TypedDict):
+    """A map of a parameter.  Base64 of little-endian numbers: values and stderr float32 (Y, X, times, channels), NaN where there is none; verdicts
+    uint8, a code for each texel or for each texel and time, of several channels the worst.  The spans are the ends of colour scales."""
+
+    name: str
+    doc: str
+    unit: str
+    times: int
+    channels: int
+    values: str
+    stderr: str | None
+    verdicts: str | None
+    span: tuple[float, float]
+    error_span: tuple[float, float] | None
+
+
+class MapPayload(TypedDict):
+    """All that the page of a fitted map gets: every `step`-th texel of rows and columns.  Verdicts and statuses by name: the code, the colour; ramp is
+    256 colours of three bytes."""
+
+    format: Literal["motes map"]
+    version: int
+    motes: str
+    name: str
+    model: str
+    shape: tuple[int, int]
+    step: int
+    hours: list[float]
+    channels: list[str]
+    to_srgb: list[list[float]]
+    color: str
+    ramp: str
+    verdicts: dict[str, tuple[int, str]]
+    statuses: dict[str, tuple[int, str]]
+    status: str
+    residual: LayerView
+    layers: list[LayerView]
+    notes: list[str]

@@ -68,8 +68,23 @@ def write_page(payload: Payload, materials: list[Material], path: str | os.PathL
 
 def page(payload: Payload, materials: list[Material]) -> str:
     """The page as text."""
-    script, style = asset("viewer.js"), asset("viewer.css")
     title = " and ".join(material.name for material in materials)
+    return document(
+        title,
+        payload,
+        "viewer.js",
+        tag(
+            "p",
+            "These pictures stand in for the viewer, which needs JavaScript and WebGL 2.",
+            class_="motes-why",
+        ),
+        *(_pictures(material) for material in materials),
+    )
+
+
+def document(title: str, payload: object, program: str, *still: Html) -> str:
+    """A page with a script that ships with Motes, what it shows, and what stands in for it where no script runs."""
+    script, style = asset(program), asset("viewer.css")
     head = tag(
         "head",
         tag("meta", charset="utf-8"),
@@ -79,20 +94,9 @@ def page(payload: Payload, materials: list[Material]) -> str:
         tag("title", f"{title} · Motes"),
         tag("style", Html(style)),
     )
-    still = tag(
-        "div",
-        tag("h1", title),
-        tag(
-            "p",
-            "These pictures stand in for the viewer, which needs JavaScript and WebGL 2.",
-            class_="motes-why",
-        ),
-        *(_pictures(material) for material in materials),
-        class_="motes-still",
-    )
     body = tag(
         "body",
-        tag("main", still, id="motes", class_="motes"),
+        tag("main", tag("div", tag("h1", title), *still, class_="motes-still"), id="motes", class_="motes"),
         tag("script", Html(safe_json(payload)), type="application/json", id="motes-data"),
         tag("script", Html(script), type="module"),
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import webbrowser
 from pathlib import Path
-from typing import Any, final
+from typing import TYPE_CHECKING, Any, cast, final, overload
 
 from motes.errors import DataError, ParameterError
 from motes.fitting.result import Fit
@@ -15,6 +15,10 @@ from motes.measurements import Measurement
 from motes.models import BRDF
 from motes.viewer.contract import Payload
 from motes.viewer.payload import as_material, payload
+
+if TYPE_CHECKING:
+    from motes.maps.fitted import FittedMap
+    from motes.viewer.map_view import MapView
 
 Viewable = Material | BRDF | Fit | TimeFit | Measurement
 
@@ -71,6 +75,7 @@ class View:
         return f"View({', '.join(repr(material.name) for material in self.materials)})"
 
 
+@overload
 def view(
     what: Viewable,
     against: Viewable | None = None,
@@ -79,13 +84,29 @@ def view(
     model: str = "auto",
     notes: tuple[str, ...] = (),
     fitted: Any = None,
-) -> View:
+) -> View: ...
+
+
+@overload
+def view(what: FittedMap, *, notes: tuple[str, ...] = ()) -> MapView: ...
+
+
+def view(
+    what: Viewable | FittedMap,
+    against: Viewable | None = None,
+    *,
+    data: Measurement | None = None,
+    model: str = "auto",
+    notes: tuple[str, ...] = (),
+    fitted: Any = None,
+) -> View | MapView:
     """Look at a material: on a sphere, teapot, bunny or mesh of one's own, as a lobe, over its data, through time.
 
     Parameters
     ----------
     what
-        A `Material` or a BRDF; a `Fit` or `TimeFit`, shown with its data; or a `Measurement`, which is fitted first.
+        A `Material` or a BRDF; a `Fit` or `TimeFit`, shown with its data; a `Measurement`, which is fitted first; or a `FittedMap`, whose page says at
+        each texel what was fitted there.
     against
         A second one, to compare.
     data
@@ -100,7 +121,8 @@ def view(
     Returns
     -------
     View
-        In a notebook its value is the viewer (extra ``notebook``); ``.save("viewer.html")`` writes the page.
+        In a notebook its value is the viewer (extra ``notebook``); ``.save("viewer.html")`` writes the page.  Of a map a `MapView`, which has
+        ``save`` and ``open`` alone.
 
     Raises
     ------
@@ -113,6 +135,12 @@ def view(
     >>> motes.view(motes.OrenNayar(K_d=(0.8, 0.7, 0.6), sigma_d=0.4))
     View('material')
     """
+    if hasattr(what, "read_map"):  # a FittedMap, whose room needs the extra `scale`
+        from motes.viewer.map_view import MapView
+
+        if against is not None or data is not None:
+            raise ParameterError("a map is shown alone", "Leave out `against` and `data`")
+        return MapView(cast("FittedMap", what), notes)
     first, points, source = _resolved(what, model)
     materials = [first]
     if against is not None:
