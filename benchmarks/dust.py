@@ -46,6 +46,7 @@ def candidates(effort: Effort) -> Calls:
     wi, wo = (rivals.directions(n, seed).T for seed in (1, 2))
     out, seed = np.empty((3, n), np.float32).T, np.ones((3, n), np.float32).T
     texels = np.random.default_rng(3).uniform(0.05, 2, n).astype(np.float32)
+    smooth = (1.025 + 0.975 * np.sin(np.linspace(0, 40, n))).astype(np.float32)
     few = max(2, n // DIRECTIONS)
     seen_wi, seen_wo = (np.ascontiguousarray(w[:DIRECTIONS]) for w in (wi, wo))
     many = np.empty((few, DIRECTIONS, 3), np.float32)
@@ -63,11 +64,14 @@ def candidates(effort: Effort) -> Calls:
                 calls[f"{base_name}_{w_name}_{scattering}"] = run, n
                 calls[f"{base_name}_{w_name}_gradient_{scattering}"] = slope, n
             varied = layer(base, ALBEDOS["one"][1], scattering, tau=texels)
+            alike = layer(base, ALBEDOS["one"][1], scattering, tau=smooth)
             seen = layer(base, ALBEDOS["one"][1], scattering, tau=texels[:few, None])
             check(varied.with_parameters({"tau": texels[:200]}), wi[:200], wo[:200])
+            check(alike.with_parameters({"tau": smooth[:200]}), wi[:200], wo[:200])
             check(seen, seen_wi, seen_wo)
             target, whole = out[:, : varied.channels], many[..., : varied.channels]
             calls[f"{base_name}_texels_{scattering}"] = lambda m=varied, t=target: engine.evaluate(m, wi, wo, out=t), n
+            calls[f"{base_name}_smooth_{scattering}"] = lambda m=alike, t=target: engine.evaluate(m, wi, wo, out=t), n
             calls[f"{base_name}_seen_{scattering}"] = (
                 lambda m=seen, t=whole: engine.evaluate(m, seen_wi, seen_wo, out=t),
                 few * DIRECTIONS,
@@ -98,7 +102,11 @@ def report(timings: dict[str, Timing], rounds: int) -> Section:
             rows.append([f"{what}: gradient, in evaluations", f"{{{stem}_gradient_ns}}", f"{{{stem}_gradient}}"])
             goals.append(Goal(f"{what}, over single scattering", stem, 2, at_least=False, unit=" x"))
             goals.append(Goal(f"{what}: gradient, in evaluations", f"{stem}_gradient", 2, at_least=False, unit=" x"))
-        for kind, seen in (("texels", "one direction each"), ("seen", f"{DIRECTIONS} directions each")):
+        for kind, seen in (
+            ("texels", "one direction each"),
+            ("smooth", "one direction each, neighbours alike"),
+            ("seen", f"{DIRECTIONS} directions each"),
+        ):
             stem = f"{base}_{kind}"
             if f"{stem}_single" not in timings:
                 continue
@@ -117,7 +125,8 @@ def report(timings: dict[str, Timing], rounds: int) -> Section:
         tables=[Table(["", "ns of processor", "x single scattering"], rows)],
         goals=goals,
         reading=[
-            "Where tau, w and g hold for all directions what depends on them alone is computed once; where texels differ, at each of them."
+            "Where tau, w and g hold for all directions what depends on them alone is computed once; where texels differ in tau and each is seen in one "
+            "direction, for groups of about the same tau (docs/engine.md), which is checked against the equations by tests/test_kernels_grouped.py."
         ],
     )
 

@@ -11,9 +11,10 @@ import pytest
 
 import motes
 import photons
-from motes import Lambert
+from motes import BRDF, Lambert, TorranceSparrow
 from motes.directions import from_spherical
 from motes.measurements import Measurement
+from motes.models import GGX
 from photons import Layer
 
 CASES = [(0.2, 0.95, 0.6), (0.5, 0.9, 0.3), (2.0, 0.95, 0.6)]  # tau, w, g
@@ -74,6 +75,43 @@ def test_multiple_scattering_finds_real_dust(case: tuple[float, float, float]) -
         assert errors[name] < 0.2 * max(true, 0.6), name  # what it finds says something
     shown = rows("All orders of scattering", case)
     here = [x for name in ("tau", "w", "g") for x in (found[name], errors[name])]
+    np.testing.assert_allclose(shown, [*here, 100 * fit.metrics["relative_rms"]], rtol=0.1)
+
+
+#: Over Lambert's 0.1 and facets that reflect half: what it is made of, the text of the fit, and tau, w, g.
+GLOSSY: dict[str, tuple[BRDF, str, tuple[float, float, float]]] = {
+    "Torrance-Sparrow": (
+        TorranceSparrow(0.5, 0.15, "facets"),
+        "torrance_sparrow(normalization=facets)",
+        (0.5, 0.9, 0.6),
+    ),
+    "GGX": (GGX(0.5, 0.3), "ggx", (0.5, 0.9, 0.3)),
+    "GGX, narrower": (GGX(0.5, 0.2), "ggx", (0.2, 0.95, 0.6)),
+}
+# What the model is off by in tau, w and g over a highlight, beside standard errors: docs/dust.md states it.
+OFF = (0.02, 0.03, 0.02)
+
+
+@pytest.mark.parametrize("name", GLOSSY)
+def test_dust_over_a_highlight_is_found(name: str) -> None:
+    """tau, w and g within 3 standard errors and what the model is off by; and the highlight's width."""
+    highlight, text, case = GLOSSY[name]
+    fit = motes.fit(
+        measured(Layer(Lambert(0.1) + highlight, *case)), f"dust_layer(lambert + {text}, scattering=multiple)"
+    )
+    found = values(fit)
+    errors = {key: float(np.ravel(p.stderr)[0]) for key, p in fit.parameters.items()}
+    for key, true, off in zip(("tau", "w", "g"), case, OFF, strict=True):
+        assert abs(found[key] - true) < 3 * errors[key] + off, key
+        assert errors[key] < 0.1 * max(true, 0.4), key
+    width = "alpha" if "alpha" in found else "sigma_s"
+    true = float(getattr(highlight, width))
+    assert abs(found[width] / true - 1) < 0.04
+    page = (Path(__file__).parents[1] / "docs" / "dust.md").read_text(encoding="utf-8")
+    shown_for = f"{name} | {true:g} | {', '.join(f'{x:g}' for x in case)}"
+    (row,) = re.findall(rf"^\| {re.escape(shown_for)} \| (.*) \|$", page, re.MULTILINE)
+    shown = [float(x) for x in re.findall(r"[\d.]+", row)]
+    here = [x for key in ("tau", "w", "g") for x in (found[key], errors[key])]
     np.testing.assert_allclose(shown, [*here, 100 * fit.metrics["relative_rms"]], rtol=0.1)
 
 
