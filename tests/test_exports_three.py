@@ -84,6 +84,72 @@ def lit(model: BRDF) -> np.ndarray:
     return np.broadcast_to(values, (len(VIEWS), len(LIGHTS), 3)).reshape(-1, 3)
 
 
+MOVED = """
+  const renderer = new THREE.WebGLRenderer();
+  const errors = [];
+  renderer.debug.onShaderError = (gl, program, vertex, fragment) => errors.push(gl.getShaderInfoLog(fragment) || gl.getShaderInfoLog(vertex));
+  const target = new THREE.WebGLRenderTarget(3, 3, { type: THREE.FloatType });
+  renderer.setRenderTarget(target);
+  const camera = new THREE.PerspectiveCamera(0.01, 1, 0.1, 100);
+  camera.position.set(0, 0, 5);
+  const sun = new THREE.DirectionalLight(0xffffff, 2);
+  sun.position.set(0.3, 0.5, 0.8);
+  const draw = (mesh) => {
+    const scene = new THREE.Scene(), pixel = new Float32Array(36);
+    scene.add(mesh, sun);
+    renderer.render(scene, camera);
+    renderer.readRenderTargetPixels(target, 0, 0, 3, 3, pixel);
+    return [...pixel.slice(16, 19)];
+  };
+  const turn = new THREE.Matrix4().makeRotationX(job.angle);
+  const plane = () => new THREE.PlaneGeometry(2, 2);
+  const material = (options) => createMaterial(THREE, {}, options);
+  const turned = new THREE.Mesh(plane(), material());
+  turned.applyMatrix4(turn);
+  const instances = new THREE.InstancedMesh(plane(), material(), 1);
+  instances.setMatrixAt(0, turn);
+  const batch = new THREE.BatchedMesh(1, 4, 6, material());
+  batch.setMatrixAt(batch.addInstance(batch.addGeometry(plane())), turn);
+  const morph = plane();
+  morph.morphAttributes.position = [morph.attributes.position.clone().applyMatrix4(turn)];
+  morph.morphAttributes.normal = [morph.attributes.normal.clone().applyMatrix4(turn)];
+  const morphed = new THREE.Mesh(morph, material());
+  morphed.morphTargetInfluences[0] = 1;
+  const skin = plane();
+  skin.setAttribute('skinIndex', new THREE.Uint16BufferAttribute(new Array(16).fill(0), 4));
+  skin.setAttribute('skinWeight', new THREE.Float32BufferAttribute([1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0], 4));
+  const skinned = new THREE.SkinnedMesh(skin, material()), bone = new THREE.Bone();
+  skinned.add(bone);
+  skinned.bind(new THREE.Skeleton([bone]));
+  bone.rotation.x = job.angle;
+  const inside = new THREE.Mesh(plane(), material({ side: THREE.BackSide }));
+  inside.applyMatrix4(turn.clone().multiply(new THREE.Matrix4().makeRotationY(Math.PI)));
+  const meshes = { turned, instances, batch, morphed, skinned, inside };
+  const found = Object.fromEntries(Object.entries(meshes).map(([name, mesh]) => [name, draw(mesh)]));
+  return { ...found, level: draw(new THREE.Mesh(plane(), material())), errors };
+"""
+
+
+@pytest.mark.slow
+def test_what_moves_vertices_moves_their_normals(tmp_path: Path) -> None:
+    """Instances, batches, morph targets, bones and the back of a plane, all turned alike, look alike, and as the BRDF says."""
+    model = MODELS["dusty"]
+    (tmp_path / "material.js").write_text(three.module(subject(model)), encoding="utf-8")
+    angle = -0.6
+    found = result(IMPORTS, MOVED, tmp_path, {"angle": angle})
+    assert not found.pop("errors")
+    level = found.pop("level")
+    sun = np.array([0.3, 0.5, 0.8]) / np.linalg.norm([0.3, 0.5, 0.8])
+    cosine, sine = np.cos(angle), np.sin(angle)
+    to_surface = np.array([[1, 0, 0], [0, cosine, sine], [0, -sine, cosine]])  # turned back about x
+    wi, wo = to_surface @ sun, to_surface @ np.array([0.0, 0.0, 1.0])
+    wanted = 2 * np.ravel(model.eval(wi, wo)) * wi[2]
+    assert set(found) == {"turned", "instances", "batch", "morphed", "skinned", "inside"}
+    for name, pixel in found.items():
+        np.testing.assert_allclose(pixel, wanted, rtol=5e-4, err_msg=name)
+    assert np.abs(np.array(level) / wanted - 1).max() > 0.05
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["dusty", "grey"])
 def test_lights_of_a_scene(name: str, tmp_path: Path) -> None:

@@ -1,12 +1,27 @@
+// Instances, batches, morph targets and bones move vertices and normals as they do in the materials of three.js.
 const vertexShader = /* glsl */ `
+#include <common>
+#include <batching_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+
 varying vec3 vNormal;
 varying vec3 vViewPosition;
 
 void main() {
-    vec4 position4 = modelViewMatrix * vec4(position, 1.0);
-    vNormal = normalMatrix * normal;
-    vViewPosition = -position4.xyz;
-    gl_Position = projectionMatrix * position4;
+    #include <batching_vertex>
+    #include <beginnormal_vertex>
+    #include <morphinstance_vertex>
+    #include <morphnormal_vertex>
+    #include <skinbase_vertex>
+    #include <skinnormal_vertex>
+    #include <defaultnormal_vertex>
+    vNormal = transformedNormal;
+    #include <begin_vertex>
+    #include <morphtarget_vertex>
+    #include <skinning_vertex>
+    #include <project_vertex>
+    vViewPosition = -mvPosition.xyz;
 }
 `;
 
