@@ -61,6 +61,7 @@ def _ends(grey: Problem, chosen: Floats) -> Floats:
     late = np.array([status is Status.MAX_ITERATIONS for status in fine.status])
     given_up = late & (fine.iterations < ITERATIONS)
     order = np.argsort(fine.normal.objective, kind="stable")
+    given_up[order[0]] = False  # the best one stays, whoever stopped it
     return np.asarray(fine.x[order[~given_up[order]]])
 
 
