@@ -33,6 +33,11 @@ def tool() -> ModuleType:
     return module
 
 
+@pytest.fixture(scope="module")
+def pages(tool: ModuleType) -> ModuleType:
+    return sys.modules["calibration_page"]
+
+
 @pytest.mark.parametrize("freedom", [3.0, 7.5, 40.0])
 def test_degrees_of_freedom_come_back_from_two_intervals(tool: ModuleType, freedom: float) -> None:
     small, large = (stats.t.ppf(0.5 + LEVELS[level] / 2, freedom) for level in LEVELS)
@@ -60,43 +65,65 @@ def test_ranks_of_students_t_are_those_of_its_distribution(tool: ModuleType, squ
 @pytest.mark.parametrize(
     ("spread", "shift", "right"), [(1, 0, True), (0.7, 0, False), (1.4, 0, False), (1, 0.3, False)]
 )
-def test_wrong_errors_are_seen(tool: ModuleType, spread: float, shift: float, right: bool) -> None:
+def test_wrong_errors_are_seen(tool: ModuleType, pages: ModuleType, spread: float, shift: float, right: bool) -> None:
     rng = np.random.default_rng(8)
     truth = np.zeros(4000)
     value = rng.standard_normal(4000)
     ranks = tool.from_error(truth, value + shift, np.full(4000, spread))
-    counts, _ = np.histogram(ranks, tool.BINS, (0, 1))
-    low, high = tool.histogram_band(len(ranks))
-    shares = counts * tool.BINS / len(ranks)
+    counts, _ = np.histogram(ranks, pages.BINS, (0, 1))
+    low, high = pages.histogram_band(len(ranks))
+    shares = counts * pages.BINS / len(ranks)
     assert bool(np.all((low <= shares) & (shares <= high))) is right
     levels = np.linspace(0, 1, 201)
-    off = tool.covered(ranks, levels) - levels
+    off = pages.covered(ranks, levels) - levels
     if spread != 1:
-        assert np.abs(off).max() > tool.distance_band(len(ranks))
+        assert np.abs(off).max() > pages.distance_band(len(ranks))
         assert (off.sum() > 0) == (spread > 1)
     if right:
-        assert np.abs(off).max() <= tool.distance_band(len(ranks))
+        assert np.abs(off).max() <= pages.distance_band(len(ranks))
 
 
-def test_what_has_no_error_has_no_rank(tool: ModuleType) -> None:
-    drawn = tool.Drawn({"K_d": np.r_[np.full(60, 0.5), np.full(20, np.nan)], "K_s": np.full(80, np.nan)})
+def test_what_has_no_error_has_no_rank(tool: ModuleType, pages: ModuleType) -> None:
+    drawn = pages.Ranks(
+        "map", "a", "b", {"K_d": np.r_[np.full(60, 0.5), np.full(20, np.nan)], "K_s": np.full(80, np.nan)}
+    )
     assert drawn.stated == pytest.approx(0.375)
     assert list(drawn.known) == ["K_d"]
     assert np.isnan(tool.from_error(np.array([1.0]), np.array([1.0]), np.array([np.nan])))[0]
 
 
-def test_the_page_is_of_this_tool(tool: ModuleType) -> None:
+def test_a_study_goes_on_where_it_stopped(tool: ModuleType, tmp_path: Path) -> None:
+    """The same parts in one go and in two; one that was cut off is made again, and none is made twice."""
+    made: list[int] = []
+
+    def part(k: int) -> dict[str, np.ndarray]:
+        made.append(k)
+        return {n: np.array([np.nan if n == "K_s" else (k + 0.5) / 10]) for n in tool.NAMES}
+
+    case = tool.Case("time", "EON + GTR", "auto", part, 0.5)
+    whole = tool.went_on(case, 10, tmp_path / "whole", np.inf)
+    assert made == [0, 1, 2, 3, 4]
+    made.clear()
+    tool.went_on(case, 4, tmp_path / "parts", np.inf)
+    file = tmp_path / "parts" / case.file
+    file.write_text(file.read_text(encoding="utf-8")[:-9], encoding="utf-8")
+    again = tool.went_on(case, 10, tmp_path / "parts", np.inf)
+    assert made == [0, 1, 1, 2, 3, 4]
+    for name in tool.NAMES:
+        np.testing.assert_array_equal(
+            tool.together(case, whole).by_name[name], tool.together(case, again).by_name[name]
+        )
+    assert len(tool.went_on(case, 100, tmp_path / "parts", -np.inf)) == 5  # no time is left
+
+
+def test_the_page_is_of_this_tool(tool: ModuleType, pages: ModuleType) -> None:
     page = (ROOT / "docs" / "calibration.md").read_text(encoding="utf-8")
     cases = {(case.kind, case.data, case.errors) for case in tool.CASES}
     rows = [
         line.strip("| ").split(" | ") for line in page.splitlines() if line.startswith(("| static", "| time", "| map"))
     ]
-    assert len(rows) >= 8
-    assert {tuple(row[:3]) for row in rows} <= cases
-    kinds = {row[0] for row in rows}
-    assert kinds == set(tool.KINDS)
-    lines = ["| " + " | ".join(row) + " |" for row in rows]
-    assert tool.page(lines, ("map",)) == page
+    assert {tuple(row[:3]) for row in rows} == cases
+    assert tool.page(["| " + " | ".join(row) + " |" for row in rows]) == page
     for name in ("ranks", "coverage"):
         figure = (ROOT / "docs" / "pictures" / f"calibration-{name}.svg").read_text(encoding="utf-8")
-        assert figure.count('class="panel"') == sum(case.kind == "map" for case in tool.CASES)
+        assert figure.count('class="panel"') == len(tool.CASES)

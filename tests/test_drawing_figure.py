@@ -56,3 +56,16 @@ def test_every_class_and_colour_has_its_style() -> None:
 
 def test_reports_share_the_style() -> None:
     assert panel_style() in document("a")
+
+
+@pytest.mark.parametrize("letters", [10, 38, 45, 90])
+def test_titles_stay_within_their_panel(letters: int) -> None:
+    """They begin above the plot area where there is room, else at the edge; and never end beyond it."""
+    panel = Panel(Scale(0, 1), Scale(0, 1), "w" * letters)
+    found = re.search(r'<text ([^>]*class="title"[^>]*)>', panel.svg("a panel"))
+    assert found is not None
+    given = dict(re.findall(r'(\w+)="([^"]*)"', found[1]))
+    length = float(given.get("textLength", 7.2 * letters))
+    assert 0 < float(given["x"]) < float(given["x"]) + length <= panel.width
+    assert ("textLength" in given) == (letters > 45)
+    assert (float(given["x"]) > 40) == (letters < 39)

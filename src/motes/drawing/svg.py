@@ -17,6 +17,8 @@ from motes.drawing.colour import data_uri, png
 from motes.drawing.markup import Html, tag
 
 LEFT, RIGHT, TOP, BOTTOM = 50, 12, 30, 42
+#: The mean width of a letter of a title, and what is left free beside it, in pixels.
+LETTER, MARGIN = 7.2, 4
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -219,12 +221,23 @@ class Panel:
         inside = "".join(self._inside)
         parts.append(f'<svg x="{left}" y="{top}" width="{width}" height="{height}">{inside}</svg>')
         if self.title:
-            parts.append(_text(left if self.axes else 4, 17, self.title, "start", "title"))
+            parts.append(self._titled(left if self.axes else 4))
         return Html(
             f'<svg class="panel" viewBox="0 0 {self.width} {self.height}" role="img" aria-label="{_attribute(alt)}">'
             + "".join(parts)
             + "</svg>"
         )
+
+    def _titled(self, left: float) -> str:
+        """The title above the plot area; one that is too long for that begins at the edge, and is set closer."""
+        width = LETTER * len(self.title)
+        if width > self.width - left - MARGIN:
+            left = MARGIN
+        room = self.width - left - MARGIN
+        words = _text(left, 17, self.title, "start", "title")
+        if width > room:
+            words = words.replace("<text ", f'<text textLength="{room:.0f}" lengthAdjust="spacingAndGlyphs" ', 1)
+        return words
 
     def _frame(self) -> list[str]:
         left, top, width, height = self._box
