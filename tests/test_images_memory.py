@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+import struct
 import subprocess
 import sys
+import zlib
 from pathlib import Path
 
 import numpy as np
@@ -149,9 +151,6 @@ def test_pixels_by_another_encoder_are_whole(tmp_path: Path, bits: int, interlac
 
 def test_pixels_that_go_on_for_ever_are_refused_soon(tmp_path: Path) -> None:
     """A megabyte that unpacks to a thousand, of a picture of a hundred."""
-    import struct
-    import zlib
-
     good = png_bytes(np.zeros((4, 5, 3), np.uint8), [0])
     body = b"IDAT" + zlib.compress(bytes(300 * 2**20), 1)
     at = good.index(b"IDAT") - 4
@@ -160,3 +159,25 @@ def test_pixels_that_go_on_for_ever_are_refused_soon(tmp_path: Path) -> None:
     with pytest.raises(FormatError, match="go on after their 64 bytes"):
         photograph.open_photograph(tmp_path / "a.png")
     assert png_pixels.PIECE < 2**22
+
+
+CHUNKS = [b"tnul", b"t1Xt", b"ABCD", b"IHDR", b"PLTE", b"tE\0t"]
+
+
+@pytest.mark.parametrize("name", CHUNKS)
+@pytest.mark.parametrize("behind", [False, True])
+def test_chunks_that_end_a_decoder_are_refused_without_a_word(
+    tmp_path: Path, name: bytes, behind: bool, capfd: pytest.CaptureFixture[str]
+) -> None:
+    """Names that are none, critical ones that nobody knows, second headers, and palettes behind the pixels: libpng says it on the terminal."""
+    good = png_bytes(np.zeros((4, 5, 3), np.uint8), [0])
+    body = name + (good[16:29] if name == b"IHDR" else bytes(6))
+    chunk = struct.pack(">I", len(body) - 4) + body + struct.pack(">I", zlib.crc32(body))
+    at = len(good) - 12 if behind else 33
+    (tmp_path / "a.png").write_bytes(good[:at] + chunk + good[at:])
+    if name == b"PLTE" and not behind:  # one that suggests colours
+        assert photograph.open_photograph(tmp_path / "a.png").shape == (4, 5, 3)
+    else:
+        with pytest.raises(FormatError, match="cannot be decoded: it has a"):
+            photograph.open_photograph(tmp_path / "a.png")
+    assert capfd.readouterr() == ("", "")

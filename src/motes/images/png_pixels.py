@@ -78,7 +78,9 @@ def check_order(path: Path, header: Header, chunks: Sequence[tuple[bytes, memory
     """
     names = [name for name, _ in chunks]
     for name in names:
-        if not (name.isascii() and name.isalpha()):
+        if not (
+            name.isascii() and name.isalpha() and name[2:3].isupper()
+        ):  # the third letter is kept for later standards
             raise _undecodable(path, f"it has a chunk with the name {name!r}")
         if name[:1].isupper() and name not in CRITICAL:
             raise _undecodable(path, f"it has a chunk {name.decode()}, which is not known and may not be left out")
