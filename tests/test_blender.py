@@ -11,6 +11,7 @@ import os
 import shutil
 import subprocess
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 
@@ -18,11 +19,16 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from motes import Material
 from motes.errors import ParameterError
+from motes.exports import surface_blender, surface_files
 from motes.exports.approximation import lobes
 from motes.exports.osl_layer import Beneath, layer_shader
+from motes.exports.subject import subject
+from motes.exports.surface_fit import SurfaceFit
+from motes.fitting.conversion import Conversion
 from motes.meshes.mesh import Mesh
-from motes.models import BRDF, Dust, DustLayer, Lambert
+from motes.models import BRDF, Dust, DustLayer, Lambert, Principled
 from motes.models.dust_optics import DUSTS
 from motes.models.standard import DIFFUSIVITY
 
@@ -55,7 +61,7 @@ def test_the_zip_is_the_same_twice_and_whole(build: ModuleType, tmp_path: Path) 
         assert archive.read("gathering.py") == (ROOT / "src/motes/rendering/gathering.py").read_bytes()
         table = json.loads(archive.read("dusts.json"))
         manifest = archive.read("blender_manifest.toml").decode()
-    assert {"__init__.py", "layer.py", "settling.py", "numbers.py", "LICENSE"} < names
+    assert {"__init__.py", "layer.py", "settling.py", "numbers.py", "importing.py", "sockets.json", "LICENSE"} < names
     assert set(table) == set(DUSTS) == {n[4:-4] for n in names if n.startswith("osl/")}
     assert f'version = "{build.__version__}"' in manifest
 
@@ -194,3 +200,34 @@ def test_days_animate_and_dust_comes_off(found: dict[str, Floats]) -> None:
     np.testing.assert_allclose(found["first_frame"], found["principled_clean"], atol=1e-6)
     np.testing.assert_allclose(found["cleaned"], found["principled_clean"], atol=1e-6)
     assert not found["left"].any()
+
+
+@pytest.mark.slow
+def test_materials_are_imported(build: ModuleType, tmp_path: Path) -> None:
+    """A fitted material of two moments becomes a node group with the values that the export's script gives its node, over frames too."""
+    python = os.environ.get("MOTES_BPY", "")
+    if not python or not shutil.which(python):
+        pytest.skip("MOTES_BPY does not name a Python with the package bpy (pip install 'bpy==5.0.*' 'numpy<2')")
+    moments = (
+        Principled((0.3, 0.2, 0.1), 0.2, roughness=0.2, ior=1.6),
+        Principled((0.6, 0.4, 0.2), 0.4, roughness=0.7, sheen_weight=0.3, sheen_tint=(1.0, 0.8, 0.6)),
+    )
+    fits = []
+    for k, model in enumerate(moments):
+        what = replace(subject(Material(model, name="wet rock")), hours=2.0 * k)
+        fits.append(SurfaceFit(what, model.canonical(), Conversion(model, 0.0, 0.0, 0.0), ()))
+    script, result = surface_blender.write(fits, tmp_path / "rock.py"), tmp_path / "result.json"
+    (tmp_path / "rock_fit.json").write_text(surface_files.record(fits))
+    Material(Lambert(0.5)).save(tmp_path / "material.json")
+    files = [script, tmp_path / "rock_fit.json", tmp_path / "material.json", result]
+    environment = {**os.environ, "BLENDER_USER_RESOURCES": str(tmp_path / "user")}
+    command = [python, str(SCRIPT.with_name("blender_import.py")), str(build.build(tmp_path)), *map(str, files)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=300, env=environment, check=False)
+    assert result.is_file(), done.stdout[-2000:] + done.stderr[-2000:]
+    found = json.loads(result.read_text())
+    assert (found["material"], found["group"], found["ends"]) == ("wet rock", "Motes wet rock", ["OUTPUT_MATERIAL"])
+    assert set(surface_blender.SOCKETS.values()) <= set(found["imported"])
+    for socket, values in found["scripted"].items():
+        np.testing.assert_allclose(found["imported"][socket], values, rtol=2e-5, atol=1e-6, err_msg=socket)
+    assert found["imported"]["Roughness"] == pytest.approx([0.2, 0.7])
+    assert "has no parameters of Blender's. motes export MATERIAL --to blender" in found["refused"]

@@ -2,8 +2,8 @@
 
     python tools/blender_build.py [-o dist]
 
-From Motes come ``gathering.py`` (a copy), ``numbers.py`` (the defaults of a deposit), ``dusts.json`` (each dust's lobes as functions of tau)
-and an OSL shader for each dust.  The same sources give the same zip, bit by bit.
+From Motes come ``gathering.py`` (a copy), ``numbers.py`` (the defaults of a deposit), ``dusts.json`` (each dust's lobes as functions of tau),
+``sockets.json`` (what the sockets of the Principled BSDF are called) and an OSL shader for each dust.  The same sources give the same zip, bit by bit.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ import numpy as np
 from motes.arrays import NUMPY
 from motes.exports.approximation import lobes
 from motes.exports.osl_layer import layer_shader
+from motes.exports.surface_blender import SOCKETS, STEP
 from motes.models import Dust
 from motes.models.dust_optics import DUSTS
 from motes.models.multiple_scattering import INFINITE, Diffused
@@ -79,6 +80,7 @@ def files() -> dict[str, str]:
         found[f"osl/{name}.osl"] = layer_shader(
             dust, shader_name=f"motes_dust_{name}", title=f"Dust ({DUSTS[name].words})"
         )
+    found["sockets.json"] = json.dumps({"sockets": SOCKETS, "step": STEP}, indent=1) + "\n"
     found["LICENSE"] = (ROOT / "LICENSE").read_text("utf-8")
     return found
 

@@ -2,11 +2,13 @@
 
 Object > Motes Dust, or the tab Motes of the sidebar.  How much lies where is a share at each vertex (the attribute `motes_share`); what it looks
 like, a node group before the output of each material; how long it has been settling, the property `motes_days` of the object, which animates.
+File > Import > Motes Material, or a file dropped into the view: what `motes export --to blender` fitted, as a node group.
 """
 
 import bpy
+from bpy_extras.io_utils import ImportHelper
 
-from . import layer, settling
+from . import importing, layer, settling
 from .layer import DAYS, DUSTS, RATE
 
 # Of a level, open surface; the enumeration needs its texts kept alive.
@@ -124,6 +126,45 @@ class MOTES_OT_animate(bpy.types.Operator):
         return {"FINISHED"}
 
 
+class MOTES_OT_import(bpy.types.Operator, ImportHelper):
+    """Make a material of the parameters that Motes fitted, and give it to the active object"""
+
+    bl_idname = "import_scene.motes_material"
+    bl_label = "Import Motes Material"
+    bl_options = {"REGISTER", "UNDO"}
+
+    filename_ext = ".json"
+    filter_glob: bpy.props.StringProperty(default="*.json", options={"HIDDEN"})
+    filepath: bpy.props.StringProperty(subtype="FILE_PATH", options={"SKIP_SAVE"})
+
+    def invoke(self, context, event):
+        return self.execute(context) if self.filepath else ImportHelper.invoke(self, context, event)
+
+    def execute(self, context):
+        try:
+            name, moments = importing.read(self.filepath)
+        except ValueError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        material = importing.make(name, moments)
+        thing = context.object
+        if thing is not None and thing.type == "MESH":
+            thing.active_material = material
+        self.report({"INFO"}, f"{material.name}: {len(moments)} moment{'s' * (len(moments) > 1)}")
+        return {"FINISHED"}
+
+
+class MOTES_FH_material(bpy.types.FileHandler):
+    bl_idname = "MOTES_FH_material"
+    bl_label = "Motes Material"
+    bl_import_operator = MOTES_OT_import.bl_idname
+    bl_file_extensions = ".json"
+
+    @classmethod
+    def poll_drop(cls, context):
+        return context.area is not None and context.area.type == "VIEW_3D"
+
+
 class MOTES_PT_dust(bpy.types.Panel):
     bl_label = "Motes Dust"
     bl_space_type = "VIEW_3D"
@@ -139,20 +180,26 @@ class MOTES_PT_dust(bpy.types.Panel):
             self.layout.operator(MOTES_OT_clean.bl_idname)
 
 
-CLASSES = (MOTES_OT_dust, MOTES_OT_clean, MOTES_OT_animate, MOTES_PT_dust)
+CLASSES = (MOTES_OT_dust, MOTES_OT_clean, MOTES_OT_animate, MOTES_OT_import, MOTES_FH_material, MOTES_PT_dust)
 
 
 def _in_menu(self, context):
     self.layout.operator(MOTES_OT_dust.bl_idname)
 
 
+def _in_import(self, context):
+    self.layout.operator(MOTES_OT_import.bl_idname, text="Motes Material (_fit.json)")
+
+
 def register():
     for cls in CLASSES:
         bpy.utils.register_class(cls)
     bpy.types.VIEW3D_MT_object.append(_in_menu)
+    bpy.types.TOPBAR_MT_file_import.append(_in_import)
 
 
 def unregister():
+    bpy.types.TOPBAR_MT_file_import.remove(_in_import)
     bpy.types.VIEW3D_MT_object.remove(_in_menu)
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)
