@@ -75,6 +75,18 @@ def test_what_else_differs_goes_along(calls: Calls) -> None:
     assert calls == [True]
 
 
+def test_a_map_under_one_light(calls: Calls) -> None:
+    """Parameters (rows, columns), one direction to the light and one to the viewer."""
+    sigma = SIGMA[: jobs.MANY].reshape(128, -1)
+    wi, wo = np.array([0.3, 0.1, 0.9], np.float32), np.array([-0.2, 0.3, 0.8], np.float32)
+    wi, wo = wi / np.linalg.norm(wi), wo / np.linalg.norm(wo)
+    found = engine.evaluate(surface(sigma), wi, wo)
+    expected = surface(sigma).eval(wi.astype(np.float64), wo.astype(np.float64))
+    assert found.shape == expected.shape == (*sigma.shape, 3)
+    assert np.abs(found - expected).max() < 1e-5 * expected.max()
+    assert calls == [True]
+
+
 def test_zero_is_zero(calls: Calls) -> None:
     """Half of a map is often clean: 0, and what is next to it in float32."""
     sigma = np.where(RNG.random(COUNT) < 0.5, 0.0, SIGMA)
