@@ -16,6 +16,11 @@ DOCUMENT = Path(__file__).resolve().parents[1] / "docs" / "exports.md"
 BEGIN, END = "<!-- surface errors: tools/surface_errors.py -->", "<!-- /surface errors -->"
 
 
+def percent(share: float) -> str:
+    """Two digits; 0 for what is rounding alone."""
+    return f"{100 * share:.2g} %" if share > 5e-5 else "0 %"
+
+
 def rows(materials: list[str]) -> list[str]:
     """The lines of the table."""
     head = ["material", "target", "hemisphere", *LIGHTINGS]
@@ -27,19 +32,18 @@ def rows(materials: list[str]) -> list[str]:
         what = subject(named)
         for to, (_, kind) in SURFACES.items():
             fit = fit_surface(what, getattr(models, kind))
-            lights = [f"{100 * light.difference:.2g} % ({light.energy:.2f})" for light in fit.lights]
-            lines.append(f"| {text} | `{to}` | {100 * fit.conversion.relative_rms:.2g} % | {' | '.join(lights)} |")
+            lights = [f"{percent(light.difference)} ({light.energy:.2f})" for light in fit.lights]
+            lines.append(f"| {text} | `{to}` | {percent(fit.conversion.relative_rms)} | {' | '.join(lights)} |")
             print(lines[-1], flush=True)
     return lines
 
 
 def main() -> None:
-    text = DOCUMENT.read_text(encoding="utf-8")
+    table = "\n".join(rows(sys.argv[1:] or ["clay"]))
+    text = DOCUMENT.read_text(encoding="utf-8")  # now: it may have changed in the meantime
     before, _, rest = text.partition(BEGIN)
     _, _, after = rest.partition(END)
-    DOCUMENT.write_text(
-        f"{before}{BEGIN}\n" + "\n".join(rows(sys.argv[1:] or ["clay"])) + f"\n{END}{after}", encoding="utf-8"
-    )
+    DOCUMENT.write_text(f"{before}{BEGIN}\n{table}\n{END}{after}", encoding="utf-8")
 
 
 if __name__ == "__main__":
