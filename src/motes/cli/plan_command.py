@@ -16,6 +16,7 @@ def plan(
     model: Annotated[str, Parameter(name=["--model", "-m"])] = "oren_nayar + torrance_sparrow",
     rig: str = "tvbrdf",
     count: Annotated[Whole, Parameter(name=["--count", "-n"])] = 12,
+    minutes: float | None = None,
     prior: Annotated[tuple[str, ...], Parameter(negative="")] = (),
     goal: str = "parameters",
     measured: str | None = None,
@@ -42,6 +43,8 @@ def plan(
         What can be measured: tvbrdf, hemisphere, in_plane, a file rig.toml, or measured data, whose directions it is.
     count
         How many shots to measure: directions, or lamp positions of a rig whose cameras record together.
+    minutes
+        How long the measurement may take, readings and moves, in place of a count; of a rig.toml with its costs.
     prior
         What the material may be: typical (all that real materials span), catalogue (the presets), or a material; repeat for more.
     goal
@@ -114,6 +117,7 @@ def plan(
         rivals="auto" if not rival else rival[0] if len(rival) == 1 else rival,
         check=check,
         repeats=repeats,
+        minutes=minutes,
     )
     written = [design.table(table), design.save(table.with_suffix(".json")), design.picture(table.with_suffix(".svg"))]
     if common.json:

@@ -26,6 +26,7 @@ from motes.planning.information import Noise, Subject, information
 from motes.planning.offers import Offer
 from motes.planning.rigs import measurement_of, offered
 from motes.planning.swapping import chosen, even, exposures, places, spread
+from motes.planning.timed import time_of, within
 from motes.planning.travelling import ordered, travel_of
 
 Floats = NDArray[np.float64]
@@ -49,6 +50,7 @@ def plan(
     rivals: str | Sequence[str] = "auto",
     check: float = CHECKED,
     repeats: bool = False,
+    minutes: float | None = None,
 ) -> Design:
     """Plan a measurement: the directions that tell most of a model's parameters, whatever the material is within a prior.
 
@@ -76,6 +78,9 @@ def plan(
         The share of shots, in [0, 0.9], that do not serve the parameters but lie where a wrong model would be caught.
     repeats
         Whether a direction may be measured more than once.
+    minutes
+        How long the measurement may take, readings and moves, in place of `count`: each shot then counts by what it tells per second that
+        it costs.  Of a rig whose costs are known.
 
     Returns
     -------
@@ -114,6 +119,10 @@ def plan(
     quality = Noise(USUAL_NOISE if noise is None else noise, floor)
     free = whole if data is None or repeats else whole.without(whole.near(data.wi, data.wo))
     planner = _Planner(subject, free, belief, quality, data, goal, _rivals(subject, rivals))
+    if minutes is not None:
+        found, checking = planner.timed(60 * _checked(minutes, free), check)
+        count = _counted(len(found) + len(checking), planner, repeats)
+        return planner.design(whole.shots, found, checking, findings, started)
     count = _counted(count, planner, repeats)
     found, checking = planner.taken(count, check, repeats)
     if len(found) + len(checking) < count:
@@ -181,6 +190,25 @@ def _counted(count: int, planner: _Planner, repeats: bool) -> int:
             f"Ask for {-(-subject.size // offer.members.shape[1])} or more, or hold parameters by a value in the model's text",
         )
     return count
+
+
+def _checked(minutes: float, offer: Offer) -> float:
+    """The minutes of a plan, checked."""
+    if not 0 < minutes < math.inf:
+        raise MotesError(f"{minutes:g} minutes are no time to measure in", "Give a number above 0")
+    if not offer.cost.known:
+        raise MotesError(
+            f"what {offer.name} takes is not known, so that {minutes:g} minutes mean nothing",
+            "Write [cost] into a rig.toml: reading_s, light_s_per_deg, view_s_per_deg",
+        )
+    if offer.cost.reading > 60 * minutes:
+        raise MotesError(
+            f"one reading takes {offer.cost.reading:g} s, more than the {60 * minutes:g} s there are",
+            "Give more minutes",
+        )
+    if offer.cost.reading <= 0:
+        raise MotesError(f"a reading of {offer.name} takes no time, so that any number fits", "Give reading_s above 0")
+    return minutes
 
 
 class _Planner:
@@ -257,6 +285,20 @@ class _Planner:
         found = chosen(self.criterion(), count - checks, close, repeats=repeats)
         beside = None if self.data is None else places(self.data.wi, self.data.wo)
         return found, spread(self.offer, checks, found, close, beside)
+
+    def timed(self, seconds: float, check: float) -> tuple[list[int], list[int]]:
+        """Shots that find the parameters, and shots that check the model in their share of so many seconds."""
+        offer, close = self.offer, self.offer.conflicts()
+        found = within(self.criterion, offer, (1 - check) * seconds, close)
+        beside = None if self.data is None else places(self.data.wi, self.data.wo)
+        checking: list[int] = []
+        while (more := spread(offer, len(checking) + 1, found, close, beside))[len(checking) :]:
+            if time_of(offer, ordered(offer, [*found, *more])) > seconds or len(more) > check * (
+                len(found) + len(more)
+            ):
+                break
+            checking = more
+        return found, checking
 
     def design(self, shots: int, found: list[int], checking: list[int], findings: list[str], started: float) -> Design:
         """The shots in their order, with what they will reveal."""
