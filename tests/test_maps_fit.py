@@ -71,6 +71,25 @@ def test_maps_are_as_right_as_their_errors_say(paint: Path, fitted: maps.FittedM
     assert float(np.median(fitted.read_map("relative_rms"))) == pytest.approx(0.01, rel=0.1)
 
 
+def test_one_solver_finds_the_starts_and_fits_the_texels(
+    paint: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made: list[TexelSolver] = []
+    begin = TexelSolver.__init__
+
+    def counted(self: TexelSolver, *arguments: Any, **options: Any) -> None:
+        made.append(self)
+        begin(self, *arguments, **options)
+
+    monkeypatch.setattr(TexelSolver, "__init__", counted)
+    held = {"sigma_s": 0.17}
+    first = maps.fit_map(paint, MODEL, out=tmp_path / "first.zarr", block=BLOCK, fixed=held)
+    assert len(made) == 1
+    other = maps.fit_map(paint, MODEL, out=tmp_path / "other.zarr", block=BLOCK, fixed={"sigma_s": 0.18})
+    assert len(made) == 2
+    assert (first.read_map("K_s") != other.read_map("K_s")).any()
+
+
 def test_a_texel_is_what_motes_fit_finds(paint: Path, fitted: maps.FittedMap) -> None:
     stack = maps.open_map(paint)
     for y, x, t in ((0, 0, 0), (13, 7, 1), (23, 19, 2)):

@@ -24,6 +24,7 @@ from motes.fitting.second_look import REFIT_ITERATIONS, REFIT_REDUCTION, Rows, S
 from motes.fitting.texel_forms import Forms
 from motes.fitting.texel_kernel import Kernel, Raw, Recorded, Singles
 from motes.fitting.texel_setup import Column, TexelSetup
+from motes.fitting.texels_nearest import Nearest
 from motes.fitting.texels_slow import fit_slowly
 from motes.fitting.texels_starts import representative_starts
 from motes.kernels import engine
@@ -96,6 +97,8 @@ class TexelSolver(TexelSetup):
     @cached_property
     def _kernels(self) -> dict[tuple[str, str], Kernel | Forms]:
         return {}
+
+    _compared: tuple[Floats, Nearest] | None = None
 
     @cached_property
     def _recorded(self) -> Recorded:
@@ -207,6 +210,24 @@ class TexelSolver(TexelSetup):
         """For every texel the start from which the parameters that are not `_curved` alone get closest to the data."""
         if len(starts) == 1:
             return np.repeat(starts, len(data), axis=0)
+        if self.parts or not self.loss.is_linear:
+            return self._best_tried(kernel, data, starts)
+        whole = np.isfinite(data).all(axis=(1, 2))
+        if whole.all():
+            return self._nearest(starts).points(data)
+        best = np.empty((len(data), self.size))
+        best[whole] = self._nearest(starts).points(data[whole])
+        best[~whole] = self._best_tried(kernel, data[~whole], starts)
+        return best
+
+    def _nearest(self, starts: Floats) -> Nearest:
+        compared = self._compared
+        if compared is None or not np.array_equal(compared[0], starts):
+            compared = self._compared = starts.copy(), Nearest(self, starts, self._curved())
+        return compared[1]
+
+    def _best_tried(self, kernel: Kernel | Forms, data: Singles, starts: Floats) -> Floats:
+        """The same by a few iterations from every start."""
         if isinstance(kernel, Forms):
             kernel = kernel.one_for(starts)
         best = np.empty((len(data), self.size))

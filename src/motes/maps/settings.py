@@ -22,6 +22,9 @@ from motes.models import BRDF, describe, parse
 from motes.trends import KINDS
 
 SAMPLED_BLOCKS, SAMPLED_TEXELS = 16, 6
+#: Solvers that are kept: those of the candidates of ``"auto"``.
+MOST_SOLVERS = 5
+_solvers: dict[tuple[str, str], TexelSolver] = {}
 
 
 @final
@@ -155,8 +158,30 @@ def directions_used(stack: MapStack, settings: Settings) -> NDArray[np.bool_]:
 
 
 def solver_of(stack: MapStack, settings: Settings, model: str) -> TexelSolver:
-    """The solver for the directions that are used."""
+    """The solver for the directions that are used; the one that was made last where the same is asked for again.
+
+    The texels that starts are found on and those of the map are fitted by one solver then, whose kernels are printed and loaded once.
+    """
     used, weights = directions_used(stack, settings), weights_used(stack, settings)
+    tables = [stack.wi[used], stack.wo[used], *([] if weights is None else [weights[used]])]
+    numbers = b"".join(np.ascontiguousarray(table, np.float64).tobytes() for table in tables)
+    hours = None if settings.trends is None else stack.hours.tolist()
+    asked = asdict(replace(settings, source="", data={}, model=model))
+    key = hashlib.sha256(numbers).hexdigest(), json.dumps([asked, hours, len(stack.channels), weights is None])
+    if key not in _solvers:
+        while len(_solvers) >= MOST_SOLVERS:
+            _solvers.pop(next(iter(_solvers)), None)
+        _solvers[key] = _solver(stack, settings, model, used, weights)
+    return _solvers[key]
+
+
+def _solver(
+    stack: MapStack,
+    settings: Settings,
+    model: str,
+    used: NDArray[np.bool_],
+    weights: NDArray[np.float64] | None,
+) -> TexelSolver:
     return TexelSolver(
         model,
         stack.wi[used],
