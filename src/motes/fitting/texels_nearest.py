@@ -127,7 +127,7 @@ class Nearest:
 
 def _dot(row: Floats, columns: Floats) -> Floats:
     """The products (M,) of a row (r,), or of columns (r, M), and columns (r, M); each column for itself, in one order."""
-    total = row[0] * columns[0]
+    total: Floats = row[0] * columns[0]
     for k in range(1, len(row)):
         total = total + row[k] * columns[k]
     return total
