@@ -21,6 +21,7 @@ from motes.errors import DataError, FormatError, MotesError
 from motes.fitting import fit
 from motes.fitting.texels import TexelSolver
 from motes.maps import plan as plans
+from motes.maps import settings
 from motes.maps import staf_layout as exr
 from motes.maps.comparison import compare, quartiles
 from motes.maps.work import fit_block, write_block
@@ -75,13 +76,12 @@ def test_one_solver_finds_the_starts_and_fits_the_texels(
     paint: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     made: list[TexelSolver] = []
-    begin = TexelSolver.__init__
 
-    def counted(self: TexelSolver, *arguments: Any, **options: Any) -> None:
-        made.append(self)
-        begin(self, *arguments, **options)
+    def counted(*arguments: Any, **options: Any) -> TexelSolver:
+        made.append(TexelSolver(*arguments, **options))
+        return made[-1]
 
-    monkeypatch.setattr(TexelSolver, "__init__", counted)
+    monkeypatch.setattr(settings, "TexelSolver", counted)
     held = {"sigma_s": 0.17}
     first = maps.fit_map(paint, MODEL, out=tmp_path / "first.zarr", block=BLOCK, fixed=held)
     assert len(made) == 1
