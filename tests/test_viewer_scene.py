@@ -141,7 +141,7 @@ def test_slopes_are_without_steps(chrome: Any, dusty: Path) -> None:
     """Means over blocks of pixels lie between the 255 steps, where the light's own do."""
     with Viewed(chrome, dusty) as viewed:
         viewed.settled().set(
-            lobe=False, environment="none", tone="clip", lamp=0.4, exposure=-2, compare="one", ground=False
+            lobe=False, environment="none", tone="clip", lamp=0.4, exposure=-6, compare="one", ground=False
         )
         shown = viewed.complete().pixels().astype(float)
         data = viewed.js(
@@ -149,13 +149,13 @@ def test_slopes_are_without_steps(chrome: Any, dusty: Path) -> None:
         )
     light = np.array(data[2]).reshape(data[1], data[0], 4)[::-1]
     whole = light[..., 3] > 0.999
-    linear = np.clip(light[..., :3] * 0.25, 0, 1)
+    linear = np.clip(light[..., :3] / 64, 0, 1)
     exact = 255 * np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
     misses = []
-    for y in range(0, len(whole) - 8, 8):
-        for x in range(0, whole.shape[1] - 8, 8):
+    for y in range(0, len(whole) - 8, 4):
+        for x in range(0, whole.shape[1] - 8, 4):
             block = (slice(y, y + 8), slice(x, x + 8))
-            if whole[block].all() and np.ptp(exact[block], axis=(0, 1)).max() < 1.5:
+            if whole[block].all() and exact[block].min() > 0.6 and np.ptp(exact[block], axis=(0, 1)).max() < 2:
                 misses.append((shown[block][..., :3] - exact[block]).mean((0, 1)))
     assert len(misses) > 20
     # Rounding alone misses by up to half a step, 0.29 in the mean square.
