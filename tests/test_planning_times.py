@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -36,6 +37,30 @@ def test_the_errors_are_those_of_regression() -> None:
     np.testing.assert_allclose(
         [found.even_stderr["K_d.start"], found.even_stderr["K_d.end"]], expected, rtol=0.15
     )  # of trends within 25 % the median
+
+
+def test_the_error_of_the_curve_is_that_of_regression_at_each_moment(tmp_path: Path) -> None:
+    found = motes.plan_times(grey("linear", start=0.5, end=0.5001), count=5, scanned=[3.0], noise=0.02, floor=1e-9)
+    (course,) = found.courses
+    sigma = 0.02 * 0.5 / np.sqrt(260)
+    for scans, errors in ((found.hours, course.planned), (found.even, course.even)):
+        u = np.append(scans, 3.0) / 12
+        x = np.stack([1 - u, u], axis=1)
+        at = np.stack([1 - course.hours / 12, course.hours / 12], axis=1)
+        expected = sigma * np.sqrt(np.einsum("ti,ij,tj->t", at, np.linalg.inv(x.T @ x), at))
+        np.testing.assert_allclose(errors[0], expected, rtol=1e-3)
+    picture = found.picture(tmp_path / "when.svg").read_text(encoding="utf-8")
+    words = [node.get("aria-label") or "" for node in ElementTree.fromstring(picture).iter() if node.get("aria-label")]
+    assert any("K_d goes from 0.5 to 0.5" in said for said in words), words
+    assert any(said.startswith("Standard error of K_d over time") for said in words), words
+
+
+def test_what_scans_cannot_tell_has_no_error_in_the_picture(tmp_path: Path) -> None:
+    found = motes.plan_times(grey("exponential", start=0.5, end=0.3, time_constant=3.0), count=2)
+    assert np.isinf(found.courses[0].planned).any()
+    assert "its standard error, where the scans tell" in found.picture(tmp_path / "when.svg").read_text(
+        encoding="utf-8"
+    )
 
 
 def test_a_decay_is_scanned_where_its_determinant_is_largest() -> None:

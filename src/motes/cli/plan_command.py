@@ -90,7 +90,11 @@ def plan(
             noise=USUAL_NOISE if noise is None else noise,
             floor=floor,
         )
-        written = [schedule.table(table), schedule.save(table.with_suffix(".json"))]
+        written = [
+            schedule.table(table),
+            schedule.save(table.with_suffix(".json")),
+            schedule.picture(table.with_suffix(".svg")),
+        ]
         if common.json:
             console.print_json({**schedule.to_dict(), "files": [str(file) for file in written]})
         elif not common.quiet:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 import time as clock
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple, final
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from motes.directions import above
 from motes.errors import DataError, MotesError
-from motes.files import write_csv, write_json
+from motes.files import write_csv, write_json, write_text
 from motes.fitting.formatting import finite
 from motes.material import Material
 from motes.measurements import Measurement
@@ -25,6 +25,7 @@ from motes.planning.criteria import Criterion, Term
 from motes.planning.information import Noise, Subject, information
 from motes.planning.offers import Offer
 from motes.planning.rigs import offered
+from motes.planning.seen_over_time import Course, drawn
 from motes.planning.swapping import chosen
 from motes.presets import named
 from motes.trends import KINDS, Trend
@@ -60,6 +61,8 @@ class Schedule:
         even ones; infinite where they do not determine it.
     to_even
         How many times as large the errors are as those of the even moments: geometric mean over coefficients that both determine.
+    courses
+        How each parameter that changes is believed to go, and its standard error at each moment.
     """
 
     material: str
@@ -73,6 +76,7 @@ class Schedule:
     to_even: float
     findings: tuple[str, ...]
     took: float
+    courses: tuple[Course, ...]
 
     def to_dict(self) -> dict[str, Any]:
         """All of it as plain JSON values."""
@@ -101,6 +105,10 @@ class Schedule:
     def table(self, path: str | os.PathLike[str]) -> Path:
         """Write the moments as CSV; returns its path."""
         return write_csv(path, [["scan", "time_h"], *([k + 1, round(float(t), 6)] for k, t in enumerate(self.hours))])
+
+    def picture(self, path: str | os.PathLike[str]) -> Path:
+        """Write an SVG picture: what is believed of each parameter, when it is scanned, and its error at each moment; returns its path."""
+        return write_text(path, drawn(self.courses, self.hours, self.even, self.scanned))
 
     def summary(self) -> list[tuple[str, str]]:
         """Facts for people: a label and a text each."""
@@ -173,7 +181,9 @@ def plan_times(
     if count > len(moments):
         raise MotesError(f"{count} scans are more than the {MOMENTS} moments there are", f"Ask for {MOMENTS} or fewer")
     subject = Subject.of(believed.at(first))
-    names, rows = _rows(believed, trends, subject, np.concatenate([moments, done]), offered(rig), Noise(noise, floor))
+    names, rows, courses = _rows(
+        believed, trends, subject, np.concatenate([moments, done]), offered(rig), Noise(noise, floor)
+    )
     size = len(names)
     before = np.eye(size) + information(rows[:, MOMENTS:].reshape(len(rows), -1, size))
     aim = None
@@ -181,7 +191,8 @@ def plan_times(
         aim = np.broadcast_to(np.diag([float(c.parameter == goal) for c in names]), before.shape)
     taken = sorted(chosen(Criterion([Term(rows[:, :MOMENTS], before, 1.0, aim)]), count, None))
     evenly = _evenly(count)
-    mine, theirs = (_stderr(rows[:, [*which, *range(MOMENTS, rows.shape[1])]]) for which in (taken, evenly))
+    scans = [rows[:, [*which, *range(MOMENTS, rows.shape[1])]] for which in (taken, evenly)]
+    mine, theirs = (np.median(_errors(some, np.broadcast_to(np.eye(size), before.shape)), axis=0) for some in scans)
     spans = np.array([c.span for c in names])
     wanted = np.array([goal in ("parameters", c.parameter) for c in names])
     with np.errstate(all="ignore"):
@@ -202,6 +213,7 @@ def plan_times(
         to_even=to_even,
         findings=said,
         took=clock.perf_counter() - started,
+        courses=tuple(_courses(trends, subject, courses, moments, scans)),
     )
 
 
@@ -210,10 +222,30 @@ def _evenly(count: int) -> list[int]:
     return [MOMENTS - 1] if count == 1 else [int(k) for k in np.round(np.linspace(0, MOMENTS - 1, count))]
 
 
+def _courses(
+    trends: dict[str, Trend],
+    subject: Subject,
+    believed: list[tuple[Floats, Floats]],
+    moments: Floats,
+    scans: Sequence[Floats],
+) -> Iterator[Course]:
+    """Of each parameter that changes, in its channels: values and standard errors at the moments, of the trends that are believed alone."""
+    for k, q in enumerate(subject.quantities):
+        if q.name in trends:
+            apart = np.asarray(trends[q.name](float(moments[0]))).size > 1
+            channels = range(len(believed) if apart else 1)
+            errors = [
+                np.stack([_errors(rows[[c * DRAWS]], believed[c][1][None, : len(moments), k])[0] for c in channels])
+                for rows in scans
+            ]
+            yield Course(q.name, q.parameter.unit, moments, np.stack([believed[c][0][: len(moments), k] for c in channels]), *errors)  # fmt: skip
+
+
 def _rows(
     believed: Material, trends: dict[str, Trend], subject: Subject, moments: Floats, offer: Offer, noise: Noise
-) -> tuple[list[_Coefficient], Floats]:
-    """The coefficients of all parameters (those without a trend have one, their value), and rows (B, T, P, K) of what a scan tells of them.
+) -> tuple[list[_Coefficient], Floats, list[tuple[Floats, Floats]]]:
+    """The coefficients of all parameters (those without a trend have one, their value), rows (B, T, P, K) of what a scan tells of them, and
+    for each channel what is believed: values (T, P), and their derivatives (T, P, K) by the coefficients over their spans.
 
     A scan at time t has the information M(t) on the parameters, whose derivatives by the coefficients are G(t): G' M G in all, which is R'R with
     R = L' G and M = L L'.
@@ -233,10 +265,12 @@ def _rows(
             names.append(_Coefficient(q.name, c.name, span))
     rng = np.random.default_rng(1)
     values = believed.at(float(moments[0])).parameters
-    found = []
+    found, itself = [], []
     for channel in range(len(believed.channels)):
         for draw in range(DRAWS):
             p, slopes = _parameters(believed, trends, subject, names, values, moments, channel, draw, rng)
+            if draw == 0:
+                itself.append((p, slopes))
             x = subject.inside(p)
             readings = subject.rows(x, wi, wo, noise) * math.sqrt(share)
             # The coordinate of a fit may be the square of a parameter.
@@ -245,7 +279,7 @@ def _rows(
             ridge = 1e-12 * np.trace(matrix, axis1=1, axis2=2)[:, None, None] * np.eye(subject.size)
             root = np.swapaxes(np.linalg.cholesky(matrix + ridge), 1, 2)
             found.append(root @ (slopes * (by / subject.spans)[:, :, None]))
-    return names, np.stack(found)
+    return names, np.stack(found), itself
 
 
 def _parameters(
@@ -285,14 +319,14 @@ def _parameters(
     return p, slopes
 
 
-def _stderr(rows: Floats) -> Floats:
-    """The median over materials of the standard errors (K,), over spans, that some scans (B, T, P, K) give without any prior."""
+def _errors(rows: Floats, by: Floats) -> Floats:
+    """Standard errors (B, Q) of what has the derivatives `by` (B, Q, K), from some scans (B, T, P, K) without any prior; infinite where they tell nothing."""
     matrix = information(rows.reshape(len(rows), -1, rows.shape[-1]))
     scale = np.sqrt(np.maximum(np.einsum("bkk->bk", matrix), 1e-300))
     values, vectors = np.linalg.eigh(matrix / scale[:, :, None] / scale[:, None, :])
+    along = np.square((by / scale[:, None, :]) @ vectors)
     with np.errstate(all="ignore"):
-        # A direction in which the matrix has nothing but rounding leaves all that it points at undetermined.
+        # A direction in which the matrix has nothing but rounding leaves all that points along it undetermined.
         inverse = np.where(values > 1e-12, 1 / values, np.inf)
-        squared = np.square(vectors)
-        variance = np.sum(np.where(squared > 1e-9, squared * inverse[:, None, :], 0.0), axis=2) / scale**2
-    return np.asarray(np.median(np.sqrt(variance), axis=0))
+        points = along > 1e-9 * along.sum(axis=2, keepdims=True)
+        return np.asarray(np.sqrt(np.sum(np.where(points, along * inverse[:, None, :], 0.0), axis=2)))
