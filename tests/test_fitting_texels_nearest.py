@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 import motes
 from motes.fitting.scans import single
-from motes.fitting.texels import TexelSolver
+from motes.fitting.texels import TexelSolver, TexelStatus
 from motes.fitting.texels_nearest import TASK, Nearest
 from motes.fitting.texels_slow import problem_of
 
@@ -81,3 +81,11 @@ def test_a_texel_that_misses_a_sample_takes_its_start_as_before() -> None:
     together = fit.fit(data, starts)
     np.testing.assert_array_equal(together.x[:1], alone.x)
     assert (together.status == 0).all()
+
+
+def test_where_no_texel_is_whole_there_is_nothing_to_compare() -> None:
+    """A block of a map without data, or no texels at all."""
+    fit = solver()
+    empty = fit.fit(np.full((5, 20, 3), np.nan, np.float32), STARTS)
+    assert empty.status.tolist() == [TexelStatus.NO_DATA] * 5
+    assert Nearest(fit, STARTS, HELD).points(np.zeros((0, 20, 3), np.float32)).shape == (0, 6)

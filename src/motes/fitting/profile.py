@@ -44,8 +44,8 @@ def profiled(
     matrix = objective.curvature(x)
     free = np.isfinite(errors) & (errors > 0)
     at_bound = ~free & ((x <= low) | (x >= high)) & (low < high)
-    unit = objective.columns.unit[:, 0]
-    inverse = _inverse(matrix, free, unit)
+    ordinary = objective.columns.unit[:, 0]
+    inverse = _inverse(matrix, free, ordinary)
     units = np.full(len(x), np.nan)
     units[free] = errors[free] ** 2 / np.maximum(np.diag(inverse)[free], 1e-300)
     found = {name: np.full((2, len(x)), np.nan) for name in levels}
@@ -55,7 +55,7 @@ def profiled(
             progress(done, len(asked), "profile likelihood")
         among = free.copy()
         among[p] = True
-        own = inverse if free[p] else _inverse(matrix, among, unit)
+        own = inverse if free[p] else _inverse(matrix, among, ordinary)
         unit = units[p] if free[p] else float(np.median(units[free]))
         step = np.sqrt(unit * max(float(own[p, p]), 0.0))
         if not step > 0:

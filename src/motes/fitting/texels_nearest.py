@@ -80,7 +80,7 @@ class Nearest:
         """For each texel (M, D, C), all of whose samples are numbers, the best start (M, P), with what is free moved to where it is best."""
         count = len(data)
         best = np.empty((count, len(self.low)))
-        rows = data.reshape(count, -1)
+        rows = data.reshape(count, data.shape[1] * data.shape[2])
 
         def work(task: int, room: Any) -> None:
             first, last = task * TASK, min(count, (task + 1) * TASK)
