@@ -291,13 +291,13 @@ class _Planner:
         offer, close = self.offer, self.offer.conflicts()
         found = within(self.criterion, offer, (1 - check) * seconds, close)
         beside = None if self.data is None else places(self.data.wi, self.data.wo)
-        checking: list[int] = []
-        while (more := spread(offer, len(checking) + 1, found, close, beside))[len(checking) :]:
-            if time_of(offer, ordered(offer, [*found, *more])) > seconds or len(more) > check * (
-                len(found) + len(more)
-            ):
-                break
-            checking = more
+        most = spread(offer, int(check * len(found) / (1 - check) + 1e-9), found, close, beside)
+        low, high = 0, len(most) + 1
+        while high - low > 1:  # as many as there is time for
+            middle = (low + high) // 2
+            takes = time_of(offer, ordered(offer, [*found, *most[:middle]]))
+            low, high = (middle, high) if takes <= seconds else (low, middle)
+        checking = most[:low]
         return found, checking
 
     def design(self, shots: int, found: list[int], checking: list[int], findings: list[str], started: float) -> Design:
