@@ -51,6 +51,36 @@ def test_an_axis_that_no_file_holds_is_refused_before_memory_is_taken(tmp_path: 
     assert held() - before < 100
 
 
+@pytest.mark.parametrize("member", ["f_r", "wi", "time", "weight"])
+def test_chunks_that_hold_nothing_are_refused(tmp_path: Path, member: str) -> None:
+    """They were divided by, or doubled for ever."""
+    path = maps.create_map(
+        tmp_path / "a.zarr", (3, 4), WI, WI[::-1], hours=(0.0, 1.0), weights=(1.0, 2.0), chunk=2
+    ).path
+    file = path / member / "zarr.json"
+    about = json.loads(file.read_text())
+    for axis in range(len(about["shape"])):
+        shape = [0 if k == axis else n for k, n in enumerate(about["chunk_grid"]["configuration"]["chunk_shape"])]
+        file.write_text(
+            json.dumps({**about, "chunk_grid": {"name": "regular", "configuration": {"chunk_shape": shape}}})
+        )
+        with pytest.raises(FormatError, match=f"a chunk of {member} has the shape .*0.*, which holds nothing"):
+            maps.open_map(path)
+    file.write_text(json.dumps(about))
+    maps.open_map(path).texels(0, 0)
+
+
+@pytest.mark.parametrize("scale", [1e300, -1e39, float("inf")])
+def test_a_scale_beyond_single_precision_leaves_nothing_that_counts(tmp_path: Path, scale: float) -> None:
+    stack = maps.create_map(tmp_path / "a.zarr", (2, 2), WI, WI[::-1], hours=(0.0,), chunk=2)
+    stack.write(0, 0, np.zeros((2, 2, 1, 2, 3), np.float32))
+    file = stack.path / "f_r" / "zarr.json"
+    about = json.loads(file.read_text())
+    about["attributes"]["scale_factor"] = scale
+    file.write_text(json.dumps(about))
+    assert not np.isfinite(maps.open_map(stack.path).texels(0, 0)).any()
+
+
 def test_a_time_that_has_no_number_is_refused(tmp_path: Path) -> None:
     """A map of three times, of which two are said."""
     path = claimed(tmp_path / "a.zarr", "f_r", 2, 3)

@@ -98,16 +98,22 @@ def open_group(path: object, mode: str = "r") -> Any:
             f"{folder} is not a Zarr group that can be opened: {_shortly(error)}",
             "A map is a Zarr v3 group with an array f_r (y, x, time, direction, channel)",
         ) from None
-    _check_attributes(group, folder)
+    _check_opened(group, folder)
     return group
 
 
-def _check_attributes(node: Any, where: object) -> None:
-    """The library takes anything for the attributes of a group or an array."""
+def _check_opened(node: Any, where: object) -> None:
+    """The library takes anything for the attributes of a group or an array, and chunks that hold nothing."""
     if not isinstance(node.metadata.attributes, Mapping):
         raise FormatError(
             f"{where}: the attributes of {node.basename or 'the store'} are no object", "Write the store again"
         )
+    for chunk in (getattr(node, "chunks", None), getattr(node, "shards", None)):
+        if chunk is not None and 0 in chunk:
+            raise FormatError(
+                f"{where}: a chunk of {node.basename} has the shape {tuple(chunk)}, which holds nothing",
+                "Write the store again",
+            )
 
 
 def rewritten(folder: Path, change: str = "") -> str:
@@ -161,7 +167,7 @@ def arrays(group: Any, where: object) -> dict[str, Any]:
             f"{where} holds an array that cannot be opened: {_shortly(error)}", "Write it again"
         ) from None
     for array in found.values():
-        _check_attributes(array, where)
+        _check_opened(array, where)
     return found
 
 
@@ -190,7 +196,7 @@ def member(group: Any, name: str, where: object) -> Any | None:
         return None
     except Exception as error:  # the library raises what it likes on damaged metadata
         raise FormatError(f"{where}: {name} cannot be opened: {_shortly(error)}", "Write the store again") from None
-    _check_attributes(found, where)
+    _check_opened(found, where)
     return found
 
 
@@ -232,15 +238,15 @@ def unreadable(array: Any, where: object, error: Exception) -> FormatError:
 
 def unpacked(raw: NDArray[Any], attributes: Mapping[str, Any], kind: Any) -> NDArray[Any]:
     """Numbers as they are meant: the CF attributes ``_FillValue``, ``scale_factor`` and ``add_offset`` applied."""
-    # A signalling NaN is one; what is too large becomes infinite, and is masked.
+    fill, scale, offset = (attributes.get(name) for name in ("_FillValue", "scale_factor", "add_offset"))
+    # A signalling NaN is one; what is too large becomes infinite, and is masked, as is an infinity times 0.
     with np.errstate(invalid="ignore", over="ignore"):
         values = raw.astype(kind, copy=False)
-    fill, scale, offset = (attributes.get(name) for name in ("_FillValue", "scale_factor", "add_offset"))
-    missing = None if not isinstance(fill, (int, float)) or np.isnan(fill) else raw == fill
-    if scale is not None or offset is not None:
-        values = values * kind(1 if scale is None else scale) + kind(offset or 0)
-    if missing is not None and missing.any():
-        values = np.where(missing, kind(np.nan), values)
+        missing = None if not isinstance(fill, (int, float)) or np.isnan(fill) else raw == fill
+        if scale is not None or offset is not None:
+            values = values * kind(1 if scale is None else scale) + kind(offset or 0)
+        if missing is not None and missing.any():
+            values = np.where(missing, kind(np.nan), values)
     return values
 
 
