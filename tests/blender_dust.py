@@ -14,6 +14,8 @@ from pathlib import Path
 import bpy
 import numpy as np
 
+from cycles_support import drawn_by_cycles
+
 EXTENSION, RESULT, SIDE = Path(sys.argv[1]), Path(sys.argv[2]), int(sys.argv[3])
 SUN = np.array([0.5, 0.0, 0.8]) / np.linalg.norm([0.5, 0.0, 0.8])
 found: dict[str, np.ndarray] = {}
@@ -67,14 +69,7 @@ def settle_on_a_plane_under_a_table() -> None:
 
 def stage() -> bpy.types.Object:
     scene = empty()
-    scene.render.engine = "CYCLES"
-    scene.cycles.device, scene.cycles.samples = "CPU", 4
-    scene.cycles.use_denoising = scene.cycles.use_adaptive_sampling = False
-    scene.cycles.max_bounces = 0
-    scene.cycles.pixel_filter_type, scene.cycles.filter_width = "BOX", 0.01
-    scene.render.resolution_x = scene.render.resolution_y = SIDE
-    scene.render.image_settings.file_format, scene.render.image_settings.color_depth = "OPEN_EXR", "32"
-    scene.render.threads_mode, scene.render.threads = "FIXED", 2
+    drawn_by_cycles(scene, SIDE)
     scene.world = bpy.data.worlds.new("dark")
     scene.world.use_nodes = True
     background = scene.world.node_tree.nodes["Background"].inputs

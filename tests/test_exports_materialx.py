@@ -16,6 +16,7 @@ from motes.errors import DataError, MissingExtraError, MotesError
 from motes.exports import export, materialx
 from motes.exports.approximation import lobes
 from motes.exports.approximation import written as words
+from motes.exports.materialx import loaded
 from motes.exports.subject import subject
 from motes.models import BRDF, Dielectric, Dust, DustLayer, Lambert, Schlick, TorranceSparrow
 from shader_runners import checked, tool
@@ -62,12 +63,7 @@ def generated(path: Path, what: str, element: str | None = None) -> str:
 
     modules = {"Glsl": PyMaterialXGenGlsl, "Essl": PyMaterialXGenGlsl, "Osl": PyMaterialXGenOsl}
     modules |= {"Mdl": PyMaterialXGenMdl, "Msl": PyMaterialXGenMsl}
-    library, document = mx.createDocument(), mx.createDocument()
-    search = mx.getDefaultDataSearchPath()
-    search.append(mx.FilePath(str(path.parent)))
-    mx.loadLibraries(mx.getDefaultDataLibraryFolders(), search, library)
-    mx.readFromXmlFile(document, str(path))
-    document.setDataLibrary(library)
+    document, search = loaded(mx, path)
     generator = getattr(modules[what], f"{what}ShaderGenerator").create()
     context = PyMaterialXGenShader.GenContext(generator)
     context.registerSourceCodeSearchPath(search)

@@ -15,6 +15,8 @@ from pathlib import Path
 import bpy
 import numpy as np
 
+from cycles_support import drawn_by_cycles
+
 BLENDERS = next(Path(bpy.utils.resource_path("LOCAL")).glob("python/lib/python3*/site-packages"))
 sys.path += [str(BLENDERS), sys.argv[4]]
 FILE, RESULT, SIDE, MATERIAL, MESH = Path(sys.argv[1]), Path(sys.argv[2]), int(sys.argv[3]), sys.argv[5], sys.argv[6]
@@ -82,14 +84,7 @@ def by_cycles() -> np.ndarray:
         bpy.data.objects.remove(thing)
     bpy.ops.wm.usd_import(filepath=str(FILE), import_usd_preview=True)
     scene = bpy.context.scene
-    scene.render.engine = "CYCLES"
-    scene.cycles.device, scene.cycles.samples = "CPU", 4
-    scene.cycles.use_denoising = scene.cycles.use_adaptive_sampling = False
-    scene.cycles.max_bounces = 0
-    scene.cycles.pixel_filter_type, scene.cycles.filter_width = "BOX", 0.01
-    scene.render.resolution_x = scene.render.resolution_y = SIDE
-    scene.render.image_settings.file_format, scene.render.image_settings.color_depth = "OPEN_EXR", "32"
-    scene.render.threads_mode, scene.render.threads = "FIXED", 2
+    drawn_by_cycles(scene, SIDE)
     scene.frame_set(int(scene.frame_end))
     scene.world = bpy.data.worlds.new("dark")
     scene.world.use_nodes = True

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from motes.certification.specimen import Numbers
 from motes.errors import MissingExtraError
+from motes.exports.materialx import loaded
 
 NEEDED = {"u_worldMatrix": np.eye(4), "u_viewProjectionMatrix": np.eye(4), "u_worldInverseTransposeMatrix": np.eye(4)}
 
@@ -27,12 +28,7 @@ def shaders_of(path: Path, node: str) -> tuple[str, str, str]:
         from MaterialX import PyMaterialXGenGlsl, PyMaterialXGenShader
     except ImportError:
         raise MissingExtraError("MaterialX", "materialx", "running a MaterialX document") from None
-    library, document = mx.createDocument(), mx.createDocument()
-    search = mx.getDefaultDataSearchPath()
-    search.append(mx.FilePath(str(path.parent)))
-    mx.loadLibraries(mx.getDefaultDataLibraryFolders(), search, library)
-    mx.readFromXmlFile(document, str(path))
-    document.setDataLibrary(library)
+    document, search = loaded(mx, path)
     value = document.addNode(node, "motes_certified", "color3")
     for name in ("light", "view"):
         given = document.addNode("geompropvalue", f"motes_certified_{name}", "vector3")

@@ -30,7 +30,7 @@ def of_model(material: Material, hours: float | None = None) -> Specimen:
         facts["moment"] = f"{moment:g} h"
     return Specimen(
         name=material.name,
-        kind="Motes material",
+        kind=f"Motes material at {moment:g} h" if material.trends else "Motes material",
         eval=lambda wi, wo: _value(brdf, wi, wo),
         digest=digest_of(json.dumps(material.to_dict(), sort_keys=True), repr(moment)),
         sample=lambda wi, u: Drawn(*map(np.asarray, brdf.sample(wi, u))),

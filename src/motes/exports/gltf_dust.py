@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes.arrays import NUMPY
-from motes.errors import DataError, ParameterError
-from motes.models import BRDF, Reflection, StandardLobe, describe, layer_of
+from motes.exports.subject import depth_of
+from motes.models import BRDF, Reflection, StandardLobe
 from motes.models.standard import MEAN_COSINE
 
 #: The reflectance at normal incidence of glTF's dielectrics.
@@ -40,14 +40,7 @@ def dusty_look(model: BRDF, tau: NDArray[np.float64], name: str = "dusty") -> Lo
     DataError
         For other than one or three channels.
     """
-    layer = layer_of(model)
-    if layer is None:
-        raise ParameterError(
-            f"{describe(model)} has no layer of dust on top", "motes age MATERIAL --phenomenon dust lays one over it"
-        )
-    if model.channels not in (1, 3):
-        raise DataError(f"{name} has {model.channels} channels, and glTF holds one or three", "Write -o NAME.ply")
-    each = model.with_parameters({layer.depth.name: np.asarray(tau, np.float64)[:, None]})
+    each = model.with_parameters({depth_of(model, "glTF"): np.asarray(tau, np.float64)[:, None]})
     lobes = each.standard_lobes(NUMPY, each, MEAN_COSINE)
     matte = sum(_reflected(lobe, len(tau)) for lobe in lobes if lobe.reflection is Reflection.DIFFUSE)
     colours = np.clip(np.zeros((len(tau), 3)) + matte, 0, 1)

@@ -16,6 +16,7 @@ from __future__ import annotations
 import re
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
+from typing import Any
 
 from motes.errors import MissingExtraError, MotesError
 from motes.exports import materialx_shaders as shaders
@@ -100,12 +101,7 @@ def check(path: Path) -> str:
         from MaterialX import PyMaterialXGenGlsl, PyMaterialXGenMdl, PyMaterialXGenOsl, PyMaterialXGenShader
     except ImportError:
         raise MissingExtraError("MaterialX", "materialx", "checking a MaterialX document") from None
-    library, text = mx.createDocument(), mx.createDocument()
-    search = mx.getDefaultDataSearchPath()
-    search.append(mx.FilePath(str(path.parent)))
-    mx.loadLibraries(mx.getDefaultDataLibraryFolders(), search, library)
-    mx.readFromXmlFile(text, str(path))
-    text.setDataLibrary(library)
+    text, search = loaded(mx, path)
     valid, message = text.validate()
     if not valid:
         raise MotesError(f"MaterialX {mx.__version__} finds {path} invalid: {message}", "Report it: this is a defect")
@@ -120,6 +116,17 @@ def check(path: Path) -> str:
         for element in PyMaterialXGenShader.findRenderableElements(text):
             writer.generate(element.getName(), element, context)
     return str(mx.__version__)
+
+
+def loaded(mx: Any, path: Path) -> tuple[Any, Any]:
+    """A document read by the MaterialX library `mx`, with the library's own nodes; and where files that it names are looked for."""
+    library, document = mx.createDocument(), mx.createDocument()
+    search = mx.getDefaultDataSearchPath()
+    search.append(mx.FilePath(str(path.parent)))
+    mx.loadLibraries(mx.getDefaultDataLibraryFolders(), search, library)
+    mx.readFromXmlFile(document, str(path))
+    document.setDataLibrary(library)
+    return document, search
 
 
 def _said(subject: Subject, name: str) -> list[str]:

@@ -13,7 +13,7 @@ from motes.channels import default_names, names_or_default
 from motes.errors import DataError, ParameterError
 from motes.material import Material
 from motes.measurements.origin import not_measured
-from motes.models import BRDF, describe
+from motes.models import BRDF, describe, layer_of
 
 LONGEST_NAME = 48
 
@@ -144,3 +144,26 @@ def _channels(material: Material) -> tuple[str, ...]:
 def as_rgb(values: Any) -> np.ndarray:
     """Values (..., 1) or (..., 3) with three channels."""
     return np.broadcast_to(values, (*np.shape(values)[:-1], 3))
+
+
+def depth_of(model: BRDF, program: str) -> str:
+    """The name of the optical thickness of the dust on a model, for the vertices of a mesh that a program shows.
+
+    Raises
+    ------
+    ParameterError
+        For a model without dust on top.
+    DataError
+        For other than one or three channels.
+    """
+    layer = layer_of(model)
+    if layer is None:
+        raise ParameterError(
+            f"{describe(model)} has no layer of dust on top", "motes age MATERIAL --phenomenon dust lays one over it"
+        )
+    if model.channels not in (1, 3):
+        raise DataError(
+            f"the material has {model.channels} channels ({', '.join(default_names(model.channels)[:3])}, ...), and {program} holds one or three",
+            "Write -o NAME.ply, which holds tau alone",
+        )
+    return layer.depth.name

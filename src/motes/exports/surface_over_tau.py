@@ -13,11 +13,10 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from motes.channels import default_names
-from motes.errors import DataError, ParameterError
+from motes.exports.subject import depth_of
 from motes.exports.surface_fit import CLEARLY
 from motes.fitting.conversion import Conversion, convert
-from motes.models import BRDF, Surface, describe, layer_of
+from motes.models import BRDF, Surface
 
 Floats = NDArray[np.float64]
 
@@ -123,17 +122,7 @@ def fit_over_tau(
     DataError
         For other than one or three channels.
     """
-    layer = layer_of(model)
-    if layer is None:
-        raise ParameterError(
-            f"{describe(model)} has no layer of dust on top", "motes age MATERIAL --phenomenon dust lays one over it"
-        )
-    if model.channels not in (1, 3):
-        raise DataError(
-            f"the material has {model.channels} channels ({', '.join(default_names(model.channels)[:3])}, ...), and {surface.program} holds one or three",
-            "Write -o NAME.ply, which holds tau alone",
-        )
-    depth = layer.depth.name
+    depth = depth_of(model, surface.program)
 
     def under(tau: float) -> BRDF:
         return model.with_parameters({depth: float(tau)})
