@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from motes.cli.main import main
 from motes.errors import FormatError, MissingExtraError
 from motes.files import budget
 from motes.meshes import obj as _obj
@@ -445,3 +446,26 @@ def test_claims_are_checked_before_anything_is_made(tmp_path: Path, monkeypatch:
     (tmp_path / "a.stl").write_bytes(many(2000))
     with pytest.raises(FormatError, match=r"no triangle|no faces|have no area|would take"):
         read_mesh(tmp_path / "a.stl")
+
+
+@pytest.mark.parametrize("suffix", [".ply", ".glb", ".usda"])
+def test_numbers_beyond_single_precision_are_left_out_and_said(tmp_path: Path, suffix: str) -> None:
+    """Meshes are written in single precision: what it cannot hold must not end as an infinity, or as a defect of Motes."""
+    if suffix == ".usda":
+        pytest.importorskip("pxr")
+    head = ["ply", "format ascii 1.0", "element vertex 3"]
+    head += [f"property double {name}" for name in ("x", "y", "z", "nx", "ny", "nz", "u", "v", "heat")]
+    head += ["element face 1", "property list uchar int vertex_indices", "end_header"]
+    body = ["0 0 0 0 0 1 1e308 0 1e300", "1 0 0 0 0 1 1 0 nan", "0 1 0 0 0 1 0 1 2", "3 0 1 2"]
+    path = tmp_path / "a.ply"
+    path.write_text("\n".join([*head, *body]) + "\n")
+    mesh = read_mesh(path)
+    assert mesh.uv is None
+    assert not mesh.attributes
+    said = " ".join(mesh.notes)
+    assert "texture coordinates" in said
+    assert "heat" in said
+    assert main(["dust", str(path), "--days", "5", "-o", str(tmp_path / f"b{suffix}")]) == 0
+    path.write_text("\n".join([*head, "1e38 0 0 0 0 1 0 0 0", *body[1:]]) + "\n")
+    with pytest.raises(FormatError, match="beyond 1e\\+30"):
+        read_mesh(path)

@@ -48,7 +48,7 @@ ENTRIES = (
         "A Lambertian sphere and one whose facets are steep: the rough one is flat, like the full moon. Equations (1)-(8).",
     ),
     Entry(
-        "A varnished board through half a year",
+        "A varnished teapot through half a year",
         "gallery_dusty.png",
         (
             "motes age varnish --phenomenon dust --hours 4000 -o dusty.json",

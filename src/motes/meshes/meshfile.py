@@ -13,6 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from motes.errors import FormatError, MotesError
 from motes.meshes import by_trimesh, obj, ply, winding
@@ -26,8 +27,9 @@ READERS: dict[str, Callable[[Path], Mesh]] = {
     ".gltf": by_trimesh.read_gltf,
 }
 SUFFIXES = tuple(READERS)
-#: Coordinates whose fourth powers are still numbers, with room: areas are square roots of them.
-LARGEST = 1e60
+#: The largest coordinate: glTF and USD hold single precision, to 3e38, and squares of distances stay numbers in doubles.
+LARGEST = 1e30
+_SINGLE = float(np.finfo(np.float32).max)
 TURN = "motes dust --outwards turns them"
 
 
@@ -99,9 +101,13 @@ def mended(mesh: Mesh, outwards: bool = False) -> Mesh:
     if not keep.all():
         notes.append(f"{int((~keep).sum())} of {len(keep)} triangles have no area and were left out")
         mesh = replace(mesh, triangles=mesh.triangles[keep])
-    if mesh.uv is not None and not np.isfinite(mesh.uv).all():
-        notes.append("the texture coordinates are not all numbers and were left out")
+    if mesh.uv is not None and not (np.abs(mesh.uv) <= _SINGLE).all():
+        notes.append("the texture coordinates are not all numbers of single precision and were left out")
         mesh = replace(mesh, uv=None)
+    # What is not a number says that there is none; a number that a file of single precision cannot hold says nothing.
+    if huge := [name for name, values in mesh.attributes.items() if _beyond_single(values)]:
+        notes.append(f"{' and '.join(huge)} of the vertices holds numbers beyond single precision and was left out")
+        mesh = replace(mesh, attributes={name: v for name, v in mesh.attributes.items() if name not in huge})
     if outwards:
         turned = winding.turned_outwards(replace(mesh, notes=()))
         notes += turned.notes
@@ -119,6 +125,11 @@ def mended(mesh: Mesh, outwards: bool = False) -> Mesh:
         notes.append("the file has no normals; they were computed")
     mesh = replace(mesh, normals=None)
     return with_normals(replace(mesh, notes=(*notes, *_sides(mesh))))
+
+
+def _beyond_single(values: NDArray[np.float64]) -> bool:
+    """Whether some of the numbers are finite and yet too large for single precision, in which meshes are written."""
+    return bool((np.isfinite(values) & (np.abs(values) > _SINGLE)).any())
 
 
 def _sides(mesh: Mesh) -> list[str]:
