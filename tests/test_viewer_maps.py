@@ -115,22 +115,21 @@ def test_the_pointer_and_the_keys_go_from_texel_to_texel(chrome: Any, fitted: An
         box = canvas.bounding_box()
         assert box["width"] / box["height"] == pytest.approx(12 / 9, rel=0.01)
         page.mouse.move(box["x"] + 3.5 * box["width"] / 12, box["y"] + 7.5 * box["height"] / 9)
-        assert page.inner_text(".motes-where").startswith(
-            "Texel (7, 3), row and column at 0 h: converged, relative residual"
-        )
+        assert page.inner_text(".motes-where").startswith("Row 7, column 3 at 0 h: converged, relative residual")
         rows = page.locator(".motes-table tbody tr").all_inner_texts()
         value = fitted.read_map("sigma_d")[7, 3, 0]
         assert float(rows[1].split()[1]) == pytest.approx(float(value), rel=1e-3)
         for key, where in (
-            ("ArrowUp", "(6, 3)"),
-            ("ArrowRight", "(6, 4)"),
-            ("Shift+ArrowLeft", "(6, 0)"),
-            ("ArrowLeft", "(6, 0)"),
+            ("ArrowUp", "Row 6, column 3 "),
+            ("ArrowRight", "Row 6, column 4 "),
+            ("Shift+ArrowLeft", "Row 6, column 0 "),
+            ("ArrowLeft", "Row 6, column 0 "),
         ):
             canvas.press(key)
             assert where in page.inner_text(".motes-where")
-        path = page.locator(".motes-chart path.line").first.get_attribute("d")
-        assert path.count("L") == 2  # three times
+        dots = page.locator(".motes-chart path.dots").first.get_attribute("d")
+        assert dots.count("M") == 3  # a dot for each time, and no line between fits that know nothing of each other
+        assert page.locator(".motes-chart path.line").count() == 0
 
 
 def test_trends_are_shown_at_every_time_and_by_their_coefficients(chrome: Any, joint: Any, folder: Path) -> None:
@@ -160,7 +159,7 @@ def test_a_large_map_is_thinned_and_it_is_said(
         viewed.page.get_by_role("application").press("Shift+ArrowLeft")
         viewed.page.get_by_role("application").press("Shift+ArrowUp")
         viewed.page.get_by_role("application").press("ArrowDown")
-        assert viewed.page.inner_text(".motes-where").startswith(f"Texel ({step}, 0)")  # counted in the whole map
+        assert viewed.page.inner_text(".motes-where").startswith(f"Row {step}, column 0")  # counted in the whole map
 
 
 def test_the_page_of_a_map_is_for_everybody(chrome: Any, fitted: Any, folder: Path) -> None:

@@ -180,7 +180,7 @@ export class MapPage {
     const residual = this.residual.values[this.index(this.residual.view, x, y)]!;
     const ended = words(this.word(this.payload.statuses, this.code(this.status, x, y)));
     const at = hours.length > 1 ? ` at ${tidy(hours[time]!)} h` : '';
-    this.where.textContent = `Texel (${y * step}, ${x * step}), row and column${at}: ${ended}${Number.isFinite(residual) ? `, relative residual ${share(residual)}` : ''}`;
+    this.where.textContent = `Row ${y * step}, column ${x * step}${at}: ${ended}${Number.isFinite(residual) ? `, relative residual ${share(residual)}` : ''}`;
     this.table.replaceChildren(...this.told().map((row) => h('tr', {}, h('th', { scope: 'row' }, row.name), h('td', {}, row.value), h('td', {}, row.error && `± ${row.error}`), h('td', {}, words(row.verdict)))));
     if (hours.length > 1) this.course();
   }
@@ -207,7 +207,6 @@ export class MapPage {
     const room = 0.08 * (high - low || Math.abs(high) || 1);
     this.chart.begin(`${view.name} over time at the texel`, { low: hours[0]!, high: hours.at(-1)!, label: 'hours' }, { low: low - room, high: high + room, label: view.name });
     for (const { tint, middle, error } of lines) {
-      this.chart.line({ x: hours, y: middle, tint });
       if (error) this.chart.bars(hours, middle.map((value, k) => value - error[k]!), middle.map((value, k) => value + error[k]!), tint);
       this.chart.dots(hours, middle, tint);
     }

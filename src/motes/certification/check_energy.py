@@ -8,6 +8,7 @@ from motes.certification.certificate import Check, Finding, Outcome
 from motes.certification.hemisphere import ANGLES, albedo
 from motes.certification.specimen import Floats, Specimen
 from motes.certification.wording import plain
+from motes.channels import names_or_default
 from motes.directions import from_spherical
 
 #: Above 1 by more than this and by more than four standard errors of the rule is a fault; half as much is a doubt.
@@ -47,7 +48,9 @@ def check_energy(specimen: Specimen) -> Check:
         f"Of light along the normal {_range(total[0])} leaves{lost}, of light from {ANGLES[-2]:g}° {_range(total[-2])}, "
         f"of uniform light {_range(spherical)}; the most is {total.max():.4g}, from {ANGLES[int(worst[0])]:g}°."
     )
+    own = specimen.material.channels if specimen.material is not None else ()
     numbers = {
+        "channels": list(names_or_default(own, values.shape[1])),
         "theta_i_deg": list(ANGLES),
         "directional_albedo": plain(total),
         "standard_error": plain(errors, 2),

@@ -147,7 +147,7 @@ def _energy(certificate: Certificate) -> Html | None:
         "The share of light from each direction that leaves, by a rule that asks nothing of the subject's own sampling; what mirrors or goes through is "
         "added by its samples. More than 1 (dashed) is energy from nowhere; what lacks to 1 is absorbed, or lost by the model."
     )
-    names = [("line", color, f"channel {k + 1}") for k, color in enumerate(colors)]
+    names = [("line", color, name) for color, name in zip(colors, numbers["channels"], strict=False)]
     more = (
         "" if values.shape[1] <= len(colors) else f" Of {values.shape[1]} channels the first {len(colors)} are drawn."
     )
