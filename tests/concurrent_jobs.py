@@ -27,21 +27,29 @@ PATIENCE = 400.0  # seconds, for all children together: a machine may be busy
 SLOW = ("model", "trend", "dust", "folder of a fit", "fitted map")
 
 
-def written(folder: Path) -> list[tuple[str, Path]]:
-    """A specimen of each format that the fuzz harness knows, pictures of every kind: the name of the format and what to read."""
+def written(folder: Path) -> tuple[list[tuple[str, Path]], list[str]]:
+    """A specimen of each format that the fuzz harness knows, pictures of every kind: the name of the format and what to read.
+
+    Then the formats left out, whose package is not installed: free-threaded Python has not all of them.
+    """
     import fuzz_specimens
 
     import measurement_files as files
 
-    found = []
+    found, left_out = [], []
     for name, make in fuzz_specimens.specimens().items():
         if name in SLOW:
             continue
-        for k, (specimen, target) in enumerate(make() if name == "picture" else make()[:1]):
+        try:
+            made = make() if name == "picture" else make()[:1]
+        except ModuleNotFoundError as error:
+            left_out.append(f"{name}: {error}")
+            continue
+        for k, (specimen, target) in enumerate(made):
             own = folder / f"{name}-{k}".replace(" ", "_").replace(":", "")
             files.write_all(own, specimen)
             found.append((name, own / target))
-    return found
+    return found, left_out
 
 
 def reading(name: str, path: Path) -> Callable[[], bytes]:
@@ -112,9 +120,10 @@ def parsing() -> bytes:
 
 def jobs(folder: Path) -> dict[str, Callable[[], bytes]]:
     """The jobs by name; their files lie in a folder."""
-    files = written(folder) if not folder.exists() else []
     listing = folder / "files.json"
-    if files:
+    if not folder.exists():
+        files, left_out = written(folder)
+        (folder / "left_out.json").write_text(json.dumps(left_out))
         listing.write_text(json.dumps([[name, str(path)] for name, path in files]))
     found = {f"read {path}": reading(name, Path(path)) for name, path in json.loads(listing.read_text())}
     table = next(path for name, path in json.loads(listing.read_text()) if name == "csv")
@@ -220,7 +229,8 @@ def main(how: str, folder: Path) -> None:
         else:
             answers = in_children("spawn", folder, many=False)
     kept = list(warnings.filters) == filters
-    print(json.dumps({"serial": serial, "answers": answers, "filters kept": kept, "said": said}))
+    left_out = json.loads((folder / "left_out.json").read_text())
+    print(json.dumps({"serial": serial, "answers": answers, "filters kept": kept, "said": said, "left out": left_out}))
 
 
 if __name__ == "__main__":

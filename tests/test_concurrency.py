@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import os
 import subprocess
@@ -14,8 +15,9 @@ import pytest
 
 from motes.quiet import without_warnings
 
-for package in ("zarr", "OpenImageIO", "trimesh", "openpyxl", "mitsuba"):
-    pytest.importorskip(package)
+pytest.importorskip("zarr")
+#: Free-threaded Python has not all of these: what needs them is left out there, and named.
+WHOLE = all(importlib.util.find_spec(name) for name in ("OpenImageIO", "OpenEXR", "trimesh", "openpyxl", "mitsuba"))
 
 SCRIPT = Path(__file__).with_name("concurrent_jobs.py")
 SOURCES = str(Path(__file__).resolve().parents[1] / "src")
@@ -48,12 +50,13 @@ def test_the_bits_are_those_of_one_thread(how: str, tmp_path: Path) -> None:
     for answer in answers:
         assert answer == serial
     assert said["filters kept"]
-    assert run.stderr == ""
+    assert run.stderr == "" or not WHOLE  # older packages, which free-threaded Python gets, warn
     if how == "cold":
         kept = sorted(p.suffix for p in (tmp_path / "kernels").rglob("*") if p.is_file())
         assert kept == [".nbc"] * 2 + [".nbi"] * 2 + [".py"] * 2  # each compiled, whole, and nothing else left
     else:
-        assert sum(name.startswith("read") for name in serial) >= 25
+        assert sum(name.startswith("read") for name in serial) >= (25 if WHOLE else 20)
+    assert not WHOLE or not said["left out"]
 
 
 def test_filters_of_warnings_are_what_they_were() -> None:
