@@ -172,6 +172,85 @@ def test_it_serves_texels_that_miss_nothing_alone(forms: Forms, solver: TexelSol
     np.testing.assert_array_equal(forms.quick.fit(holes, start).state("partial"), missing)
 
 
+TIMES = np.linspace(0.0, 6.0, 5)
+TRENDS = {"K_d": "exponential", "sigma_s": "quadratic"}
+
+
+@pytest.fixture(scope="module")
+def over_time() -> TexelSolver:
+    return TexelSolver(PAINT, WI, WO, 3, hours=TIMES, trends=TRENDS)
+
+
+def _series(solver: TexelSolver, coefficients: Floats) -> NDArray[np.float32]:
+    """Texels (M, T, D, 3) of coefficients (M, P), by the trends themselves."""
+    points, values = solver.coordinates(coefficients), np.empty((len(coefficients), len(TIMES), 6))
+    for texel, row in zip(values, points, strict=True):
+        first = 0
+        for part in solver.parts:
+            trend = part.trend(row[first : first + part.size])
+            texel[:, part.quantity.where] = np.array([np.atleast_1d(trend(hour)) for hour in TIMES])
+            first += part.size
+    return np.stack([_rendered(values[:, t]) for t in range(len(TIMES))], axis=1)
+
+
+def _coefficients(solver: TexelSolver, count: int, width: tuple[float, float] = (0.15, 0.4)) -> Floats:
+    """Coefficients (M, P) within ordinary ranges; the time constant is 2 to 4 hours."""
+    ranges = {"K_d": (0.1, 0.9), "sigma_d": (0.1, 0.8), "K_s": (0.1, 0.5), "sigma_s": width}
+    each = [ranges[c.quantity] if c.value else (2.0, 4.0) for c in solver.columns]
+    return np.random.default_rng(17).uniform(*np.array(each).T, (count, solver.size))
+
+
+def test_trends_are_fitted_without_a_look_at_the_data(over_time: TexelSolver) -> None:
+    """The same as by the form that sums over the samples at every point, to less than a hundredth of a standard error."""
+    forms = over_time.kernel("cheapest")
+    assert isinstance(forms, Forms)
+    assert [over_time.columns[k].coefficient for k in forms.domain.columns] == ["c0", "c1", "c2"]
+    truth = _coefficients(over_time, 100)
+    values = _noisy(_series(over_time, truth))
+    near = over_time.coordinates(truth * np.random.default_rng(18).uniform(0.8, 1.2, truth.shape))
+    found, other = forms.fit(values, near), forms.other.fit(values, near)
+    assert not forms.quick.fit(values, near).state("adrift").any()  # else the other form would fit them
+    np.testing.assert_array_equal(found.codes, other.codes)
+    assert np.nanmax(np.abs(found.values - other.values) / other.errors) < 2e-3
+    np.testing.assert_allclose(found.errors, other.errors, rtol=0.02)
+    near_truth = np.abs(found.values - truth) < 5 * found.errors
+    assert near_truth.mean() > 0.999
+
+
+def test_a_texel_that_misses_a_sample_at_one_time_is_fitted_by_the_other_form(over_time: TexelSolver) -> None:
+    forms = over_time.kernel("cheapest")
+    assert isinstance(forms, Forms)
+    truth = _coefficients(over_time, 40)
+    values, start = _noisy(_series(over_time, truth)), over_time.coordinates(truth)
+    whole = forms.fit(values, start)
+    holes = values.copy()
+    holes[3, 4, 99] = np.nan
+    holes[4, 1, 8, 1] = np.inf
+    mixed, other = forms.fit(holes, start), forms.other.fit(holes, start)
+    missing = np.isin(np.arange(40), (3, 4))
+    for name in ("points", "errors", "codes", "states"):
+        np.testing.assert_array_equal(getattr(mixed, name)[~missing], getattr(whole, name)[~missing])
+        np.testing.assert_array_equal(getattr(mixed, name)[missing], getattr(other, name)[missing])
+    np.testing.assert_array_equal(forms.quick.fit(holes, start).state("partial"), missing)
+
+
+def test_a_trend_that_leaves_the_series_is_fitted_by_the_other_form(over_time: TexelSolver) -> None:
+    """One coefficient at the end of where series hold is enough."""
+    forms = over_time.kernel("cheapest")
+    assert isinstance(forms, Forms)
+    truth = _coefficients(over_time, 30)
+    truth[:, forms.domain.columns[2]] = 0.5 * forms.domain.low
+    values, near = _noisy(_series(over_time, truth), noise=1e-4), over_time.coordinates(truth)
+    found, other = forms.fit(values, near), forms.other.fit(values, near)
+    np.testing.assert_array_equal(found.points, other.points)
+    assert (found.points[:, forms.domain.columns[2]] < forms.domain.low).mean() > 0.9
+    assert forms.one_for(near) is forms.other
+    held = np.zeros(over_time.size, bool)
+    held[forms.domain.columns[0]] = True
+    a, b = (form.fit(values, near, held=held, close=False) for form in (forms, forms.other))
+    np.testing.assert_array_equal(a.points, b.points)
+
+
 def test_a_form_is_compiled_when_a_texel_needs_it(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[str] = []
     compiled = engine.module
@@ -191,7 +270,7 @@ def test_a_form_is_compiled_when_a_texel_needs_it(monkeypatch: pytest.MonkeyPatc
 
 def test_a_highlight_narrower_than_the_samples_is_fitted_by_the_other_form(forms: Forms, solver: TexelSolver) -> None:
     column = list(solver.facts.low[:, 0]).index(0.005)
-    assert forms.domain.column == column
+    assert list(forms.domain.columns) == [column]
     assert forms.domain.low > 0.01
     assert forms.domain.narrowed_low
     assert not forms.domain.narrowed_high
@@ -225,7 +304,7 @@ def test_the_last_pass_catches_a_wrong_series(solver: TexelSolver) -> None:
 
 def test_starts_are_compared_by_one_kernel(forms: Forms, solver: TexelSolver) -> None:
     """The two round objectives differently, by more than the starts of a highlight that is hardly there differ."""
-    column = forms.domain.column
+    (column,) = forms.domain.columns
     points = solver.coordinates(_truth(3))
     assert forms.one_for(points) is forms
     points[1, column] = 0.5 * forms.domain.low

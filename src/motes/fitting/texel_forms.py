@@ -41,14 +41,13 @@ class Forms:
         how: dict[str, Any] = {
             "held": held, "covariance": covariance, "limit": limit, "reduction": reduction, "close": close
         }  # fmt: skip
-        column, low, high = self.domain[:3]
-        at = points[:, column]
+        columns, low, high = self.domain[:3]
         within = points
-        if not ((at >= low) & (at <= high)).all():
-            if held is not None and held[column]:
+        if not self.domain.inside(points).all():
+            if held is not None and held[columns].any():
                 return self.other.fit(data, points, **how)
             within = points.copy()
-            np.clip(at, low, high, out=within[:, column])
+            within[:, columns] = np.clip(points[:, columns], low, high)
         raw = self.quick.fit(data, within, **how)
         rows = np.flatnonzero(self._left(raw))
         if len(rows):
@@ -57,18 +56,9 @@ class Forms:
 
     def _left(self, raw: Raw) -> NDArray[np.bool_]:
         """The texels that the quick form does not serve."""
-        column, low, high = self.domain[:3]
-        at, margin = raw.points[:, column], 1e-6 * (self.domain.high - self.domain.low)
-        left = (raw.state("partial") > 0) | (raw.state("adrift") > 0)
-        if self.domain.narrowed_low:
-            left |= at <= low + margin
-        if self.domain.narrowed_high:
-            left |= at >= high - margin
-        return left
+        left: NDArray[np.bool_] = (raw.state("partial") > 0) | (raw.state("adrift") > 0)
+        return left | self.domain.stopped(raw.points)
 
     def one_for(self, points: Floats) -> Forms | Kernel:
         """What serves fits that hold the parameter of the series at all of these points (K, P) by one kernel."""
-        column, low, high = self.domain[:3]
-        margin = 2e-6 * (high - low)
-        inside = (points[:, column] > low + margin) & (points[:, column] < high - margin)
-        return self if inside.all() else self.other
+        return self if self.domain.inside(points, 2e-6).all() else self.other

@@ -19,6 +19,7 @@ from motes.fitting.printed.driver import NO_VERDICT, STATE
 from motes.fitting.printed.normal import NormalEquations, Tables
 from motes.fitting.printed.rows import LANES
 from motes.fitting.printed.sums import UNROLL
+from motes.fitting.quantities import columns_for
 from motes.fitting.texel_columns import Sampled
 from motes.fitting.texel_setup import TexelSetup
 from motes.graph import tracing
@@ -33,7 +34,9 @@ MAX_ITERATIONS = 60
 #: asked for more than they can tell, so that rounding decides; under a robust function what is left after a step is about as large as the step.
 REDUCTION = {"moments": 1e-9, "direct": 1e-7, "series": 1e-7}
 ROBUST_REDUCTION = 1e-10
-TASK = 128 * LANES  # texels that a thread takes at a time
+TASK = (
+    128 * LANES
+)  # texels of one time that a thread takes; under trends fewer, so that all threads have work to the end
 # Blocks with at most so many texels left hand them over to blocks of such texels; not worth it for few.
 STRAGGLERS, FEW = LANES // 4, 8 * LANES
 # Sums in float32 are rounded, from one point to the next, by about this share of their terms.
@@ -115,32 +118,48 @@ class Recorded:
         return module.equations(self.trace, self.fitted, fit.loss, robust, form)
 
     def equations_of_whole(self, fit: TexelSetup, robust: Robust) -> NormalEquations | None:
-        """Those in the form ``"series"`` where that is cheaper, which serves texels without trends that miss nothing."""
-        if fit.parts:
-            return None
+        """Those in the form ``"series"`` where that is cheaper, which serves texels that miss nothing."""
+        facts = columns_for(fit.quantities, fit.unit)  # of the parameters at a time
         bounds = {
-            q.name: (float(fit.facts.low[q.where.start, 0]), float(fit.facts.high[q.where.start, 0]))
-            for q in fit.quantities
+            q.name: (float(facts.low[q.where.start, 0]), float(facts.high[q.where.start, 0])) for q in fit.quantities
         }
         return module.equations_of_whole(self.trace, self.fitted, fit.loss, robust, self.sampled, bounds, len(fit.wi))
 
 
 class Domain(NamedTuple):
-    """Where series hold: a column of a texel's vector, its least and largest value, and whether these lie within the column's own bounds."""
+    """Where series hold: columns of a texel's vector, their least and largest value, and whether these lie within the columns' own bounds.
 
-    column: int
+    There are several under a trend: all that are values of the parameter, which is never beyond all of them (`motes.trends`).
+    """
+
+    columns: NDArray[np.intp]
     low: float
     high: float
     narrowed_low: bool
     narrowed_high: bool
 
     @classmethod
-    def of(cls, equations: NormalEquations, tables: Tables, low: Floats, high: Floats) -> Domain:
+    def of(cls, fit: TexelSetup, equations: NormalEquations, tables: Tables, low: Floats, high: Floats) -> Domain:
         """That of a form, whose bounds become those of the columns (P,)."""
-        column = equations.model.parameters.index(tables.parameter)
-        domain = cls(column, tables.low, tables.high, tables.low > low[column], tables.high < high[column])
-        low[column], high[column] = tables.low, tables.high
+        place = equations.model.parameters.index(tables.parameter)
+        (name,) = (q.name for q in fit.quantities if q.where.start == place)
+        columns = np.array([k for k, c in enumerate(fit.columns) if c.quantity == name and c.value])
+        first = columns[0]
+        domain = cls(columns, tables.low, tables.high, bool(tables.low > low[first]), bool(tables.high < high[first]))
+        low[columns], high[columns] = tables.low, tables.high
         return domain
+
+    def inside(self, points: Floats, margin: float = 0.0) -> NDArray[np.bool_]:
+        """Which points (M, P) are within, by more than a share of the width where there is a `margin`."""
+        at, off = points[:, self.columns], margin * (self.high - self.low)
+        return np.asarray(((at >= self.low + off) & (at <= self.high - off)).all(axis=1))
+
+    def stopped(self, points: Floats) -> NDArray[np.bool_]:
+        """Which points (M, P) stand where the series end, but the parameter does not."""
+        at, margin = points[:, self.columns], 1e-6 * (self.high - self.low)
+        low = self.low + margin if self.narrowed_low else -np.inf
+        high = self.high - margin if self.narrowed_high else np.inf
+        return np.asarray(((at <= low) | (at >= high)).any(axis=1))
 
 
 class Kernel:
@@ -158,7 +177,7 @@ class Kernel:
         self.basis = _basis(fit, equations.tables)
         facts = fit.facts
         low, high = facts.low[:, 0].copy(), facts.high[:, 0].copy()
-        self.domain = None if equations.tables is None else Domain.of(equations, equations.tables, low, high)
+        self.domain = None if equations.tables is None else Domain.of(fit, equations, equations.tables, low, high)
         whole = float(np.count_nonzero(fit.weights) * self.channels * self.times)
         numbers = np.array([REDUCTION[self.form] if robust.name == "none" else ROBUST_REDUCTION, ROUNDING, whole])
         self.box = np.concatenate(
@@ -273,10 +292,11 @@ class Kernel:
         holds = np.ascontiguousarray(np.zeros(self.size) if held is None else held, np.float64)
         noise_step, held_step = int(noise is not None), self.size if holds.ndim == 2 else 0
         at, size, given = engine.address, self.size, self.times * self.given * self.channels
+        together = LANES * max(2, TASK // (LANES * self.times))
         triangle, driver = raw.covariances.shape[1], self.driver
 
         def work(task: int, room: NDArray[Any]) -> None:
-            first, last = task * TASK, min(len(data), (task + 1) * TASK)
+            first, last = task * together, min(len(data), (task + 1) * together)
             driver(
                 at(data) + 4 * first * given, self.times, self.given, self.samples, at(self.columns), self.columns.shape[1],
                 at(self.basis), at(box), last - first, at(raw.points) + 8 * first * size, at(raw.states) + 8 * first * len(STATE),
@@ -286,7 +306,7 @@ class Kernel:
                 0 if out is None else at(out) + 4 * first * given, at(room),
             )  # fmt: skip
 
-        workers.spread(-(-len(data) // TASK), work, lambda: np.empty(self.items))
+        workers.spread(-(-len(data) // together), work, lambda: np.empty(self.items))
 
 
 def _coefficients(fit: TexelSetup) -> Coefficients:
@@ -317,13 +337,11 @@ def _coefficients(fit: TexelSetup) -> Coefficients:
 
 
 def _basis(fit: TexelSetup, tables: Tables | None) -> Floats:
-    """What trends need of the times, (T, B); or what series have that all texels share, (1, B)."""
-    if tables is not None:
-        return np.array([list(tables.numbers.values())])
-    if not fit.parts:
-        return np.zeros((1, 1))
-    assert fit.hours is not None
-    kinds = dict.fromkeys(part.kind for part in fit.parts)
-    interval = fit.parts[0].interval
-    columns = [column for kind in kinds for column in KINDS[kind].basis(fit.hours, *interval)]
-    return np.ascontiguousarray(np.stack(columns, axis=1))
+    """What trends need of the times, (T, B) one after the other; then what series have that all texels share."""
+    columns: list[Floats] = []
+    if fit.parts:
+        assert fit.hours is not None
+        kinds = dict.fromkeys(part.kind for part in fit.parts)
+        columns = [column for kind in kinds for column in KINDS[kind].basis(fit.hours, *fit.parts[0].interval)]
+    shared = [0.0] if tables is None else list(tables.numbers.values())  # never an array without an address
+    return np.concatenate([np.array(columns).T.ravel(), shared])

@@ -157,17 +157,18 @@ class Layout:
             body, target = ["parameters = x"], "total"
         else:
             body, target = ["trends_at(x, basis + 8 * BASIS * t, parameters, slopes)"], "normal"
+        opened = "room + AT_OPENED + 8 * LANES * OPENING * t"
         body += [
             "constants_at(parameters, own, constants, wide)",
             *(
-                ["series_at(parameters, room + AT_OPENED, basis, summed)"]
+                [f"series_at(parameters, {opened}, shared, summed)"]
                 if self.whole
                 else [
                     "clear(summed, SUMS)",
                     "sums_at(columns, row, constants, data + 4 * LANES * WIDTH * samples * t, samples, summed)",
                 ]
             ),
-            f"normal_at(wide, own, room + AT_OPENED + 8 * LANES * OPENING * t, summed, basis, {target})",
+            f"normal_at(wide, own, {opened}, summed, shared, {target})",
         ]
         if not self.static:
             body.append("chain_rule(normal, slopes, total)")

@@ -42,7 +42,7 @@ PASS = """
 @part
 def {name}(x, room, own, columns, row, basis, times, samples, data{total}):
     parameters, slopes, constants, wide = room + AT_PARAMETERS, room + AT_SLOPES, room + AT_CONSTANTS, room + AT_WIDE
-    summed, normal = room + AT_SUMMED, room + AT_NORMAL
+    summed, normal, shared = room + AT_SUMMED, room + AT_NORMAL, basis + 8 * BASIS * times
     {before}
     for t in range(times):
         {body}
@@ -151,9 +151,9 @@ PARTIAL = """if running > D(0.0) and used < whole:
 # A texel that misses a sample: the form does not serve it.
 WHOLE = """if not brightness - brightness == D(0.0):
                 brightness, used = D(0.0), D(0.0)
-                for k in range(OPENING):
+                for k in range(OPENING * times):
                     store(D, room + AT_OPENED, k * LANES + n, D(0.0), "plain", 0, 1)
-                for k in range(samples * WIDTH):
+                for k in range(times * samples * WIDTH):
                     store(F, data, k * LANES + n, F(0.0), "plain", 0, 1)
                 if n < count:
                     store(D, states, texel * STATE + 11, D(1.0), "plain", 0, 1)"""

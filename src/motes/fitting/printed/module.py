@@ -117,7 +117,7 @@ def module(fit: NormalEquations, coefficients: Coefficients, bounds: Columns) ->
     algebra = (fit.objective, fit.terms, *fit.gradient, *fit.matrix)
     wide = Rows("wide", "D").put(tracing.frontier(algebra, tracing.dependence(algebra, fit.leaves), PARAMETERS))
     opened, summed = Rows("opened", "D").put(fit.opened), Rows("summed", "D").put(fit.summed)
-    shared = Uniform("basis", () if fit.tables is None else tuple(fit.tables.numbers))
+    shared = Uniform("shared", () if fit.tables is None else tuple(fit.tables.numbers))
     parameters = Rows("parameters", "D").put(model.parameters)
     own = Rows("own", "D", {model.noise: size})  # after what is held
     leverage = Rows("leverage", "D").put(model.leverage)
