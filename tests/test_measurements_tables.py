@@ -346,3 +346,19 @@ def test_what_is_no_table_is_not_called_one(text: str, tmp_path: Path) -> None:
     with pytest.raises(FormatError) as caught:
         read(written(tmp_path, text))
     assert "looks like a table" not in caught.value.message
+
+
+def test_what_a_column_was_taken_for_names_the_unit_that_it_was_read_in(tmp_path: Path) -> None:
+    """That of an option or of the cells, where the name has none: a page that says radians of degrees is believed."""
+    path = tmp_path / "a.csv"
+    path.write_text(
+        "time,theta_i,theta_r,phi,wavelength,f_r,unc\n5 min,10,20,0,0.5,0.1,2 %\n10 min,10,20,0,0.5,0.1,3 %\n"
+    )
+    said = read(path, angles="deg", wavelength_unit="um").summary()["columns"]
+    assert said[:2] == ["time: time [min]", "theta_i: theta_i [deg]"]
+    assert "wavelength: wavelength of the row [um]" in said
+    assert "unc: uncertainty, one standard deviation, in % of the value" in said
+    path.write_text("theta_i,theta_r,phi,f_r\n10°,20°,0°,.1\n")
+    assert read(path).summary()["columns"][0] == "theta_i: theta_i [deg]"
+    path.write_text("theta_i,theta_r,phi,0.45,0.55\n1,1.1,0,.1,.2\n")
+    assert read(path, wavelength_unit="um").summary()["columns"][-1] == "0.55: f_r [1/sr] at a wavelength [um]"

@@ -43,6 +43,9 @@ interface Roles {
   /** The place in values that each uncertainty belongs to; -1 for all. */
   of: number[];
   single: Map<string, number>;
+  /** Titles of angles that say degrees, in their names or cells, and of those that say nothing. */
+  degrees: string[];
+  bare: string[];
 }
 
 /** The samples of a table. */
@@ -70,7 +73,7 @@ const called = (header: string[], at: number): string => (header[at] ? `'${heade
 
 function assigned(name: string, table: Cells): Roles {
   const { header, notes } = table;
-  const roles: Roles = { columns: [], angles: new Map(), values: [], uncertainties: [], of: [], single: new Map() };
+  const roles: Roles = { columns: [], angles: new Map(), values: [], uncertainties: [], of: [], single: new Map(), degrees: [], bare: [] };
   header.forEach((title, at) => {
     const found = known(name, title);
     if (!found && isIndex(table, at)) {
@@ -256,7 +259,9 @@ function inRadians(name: string, table: Cells, roles: Roles, role: string, found
   const inCells = found.unit ? unitOf(found.unit, 'angle') : '';
   if (inCells === null || (inCells && own && inCells !== own)) throw new Problem(`${name}: the cells of '${title}' are in '${found.unit}'${own ? `, its name says ${own}` : ''}`, 'Correct one of them');
   const unit = own || inCells;
-  if (!unit && roles.columns.some((c) => c?.role === 'angle' && c.unit === 'deg')) throw new Problem(`${name}: '${title}' names no unit, and other angles are in degrees`, `Call it ${title}_deg or ${title}_rad`);
+  if (unit === 'deg') roles.degrees.push(title);
+  else if (!unit) roles.bare.push(title);
+  if (roles.bare.length && (roles.degrees.length || roles.columns.some((c) => c?.role === 'angle' && c.unit === 'deg'))) throw new Problem(`${name}: '${roles.bare[0]}' names no unit, and other angles are in degrees`, `Call it ${roles.bare[0]}_deg or ${roles.bare[0]}_rad`);
   const radians = found.values.map((value) => value * FACTORS[unit || 'rad']!);
   const bad = radians.findIndex((value) => Math.abs(value) > LARGEST_ANGLE);
   if (bad >= 0) throw new Problem(`${name}, line ${table.lines[bad]}: ${title} = ${found.values[bad]} is outside +-2 pi rad (+-360 degrees)`, unit ? 'Check the row' : `Angles are in radians; call it ${title}_deg for degrees`);

@@ -36,6 +36,8 @@ class Roles:
         What every column was taken for; None for those left out.
     notes
         Sentences on what was left out.
+    units
+        Column -> the unit in which its numbers were read, once they are: that of its name, of its cells, of an option, or the one without a name.
     """
 
     angles: dict[str, int] = field(default_factory=dict)
@@ -45,6 +47,7 @@ class Roles:
     single: dict[str, int] = field(default_factory=dict)
     columns: list[Column | None] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
+    units: dict[int, str] = field(default_factory=dict)
 
 
 def assign(table: _cells.Cells, where: str, given: Mapping[str, str]) -> Roles:
@@ -331,11 +334,11 @@ def _words(roles: Roles, at: int) -> tuple[str, str]:
     if c is None:
         return "left out", ""
     if c.role == "angle":
-        return "", f"{c.name} [{c.unit or 'rad'}]"
+        return "", f"{c.name} [{roles.units[at]}]"
     if c.role == "time":
-        return "", f"time [{c.unit or 'h'}]"
+        return "", f"time [{roles.units[at]}]"
     if c.role == "wavelength":
-        return "", f"wavelength of the row [{c.unit or 'nm'}]"
+        return "", f"wavelength of the row [{roles.units[at]}]"
     if c.role == "value":
         quantity = {
             "brdf": "f_r [1/sr]",
@@ -344,11 +347,15 @@ def _words(roles: Roles, at: int) -> tuple[str, str]:
             "reflectance_factor": f"pi f_r{' in %' if c.unit == '%' else ''}",
         }[c.name]
         if c.wavelength is not None:
-            return f"{quantity} at a wavelength [{c.unit_of_wavelength or 'nm'}]", ""
+            return f"{quantity} at a wavelength [{roles.units.get(at, 'nm')}]", ""
         return quantity, f", channel {c.channel}" if c.channel else ""
     if c.role == "uncertainty":
         kind = ("two standard deviations" if c.expanded else "one standard deviation") + (
-            ", in % of the value" if c.unit == "%" else ", as a share of the value" if c.relative else " [1/sr]"
+            ", in % of the value"
+            if roles.units[at] == "%"
+            else ", as a share of the value"
+            if c.relative
+            else " [1/sr]"
         )
         place = roles.of[roles.uncertainties.index(at)] if "wavelength" not in roles.single else 0
         of = roles.columns[roles.values[place]] if place >= 0 else None

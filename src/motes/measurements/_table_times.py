@@ -30,6 +30,7 @@ def hours_of(table: _cells.Cells, where: str, roles: _roles.Roles) -> tuple[NDAr
     assert column is not None
     stamps = _stamps(table, where, at) if role == "time" else None
     if stamps is not None:
+        roles.units[at] = "h, from dates or durations"
         return stamps, "h"
     values, in_cells = Numbers(table, where, [at]).column(at)
     bad = ~np.isfinite(values[:, 0])
@@ -47,7 +48,8 @@ def hours_of(table: _cells.Cells, where: str, roles: _roles.Roles) -> tuple[NDAr
             + (f", its name says {column.unit}" if column.unit else ""),
             "Correct one of them",
         )
-    factor = names.FACTORS[column.unit or unit or "h"]
+    roles.units[at] = column.unit or unit or "h"
+    factor = names.FACTORS[roles.units[at]]
     # 1/60 h is not 60/3600 h in floating point, and scans of one time must have one number
     return np.asarray(values[:, 0] * factor, np.float64), "h"
 

@@ -59,7 +59,11 @@ def samples(
     for role in ("wavelength", "channel"):
         if role in roles.single:
             return _long(table, where, roles, numbers, wide, role, wavelength_unit)
-    channels, wavelengths = _channels([_column(roles, at) for at in roles.values], where, wavelength_unit)
+    columns = [_column(roles, at) for at in roles.values]
+    channels, wavelengths = _channels(columns, where, wavelength_unit)
+    roles.units.update(
+        zip(roles.values, [c.unit_of_wavelength or wavelength_unit or "nm" for c in columns], strict=True)
+    )
     return replace(wide, channels=channels, wavelengths=wavelengths)
 
 
@@ -140,6 +144,7 @@ def _uncertainties(
         given, unit = numbers.column(at)
         relative = column.relative or unit == "%"
         share = 0.01 if "%" in (column.unit, unit) else 1.0
+        roles.units[at] = "%" if share < 1 else column.unit
         given = given * share / (2 if column.expanded else 1)
         which = slice(None) if place < 0 else slice(place, place + 1)
         measured = np.isfinite(values[:, which]).any(axis=1)
@@ -219,6 +224,7 @@ def _long(
                 "Fill it in",
             )
         unit = _column(roles, at).unit or (names.unit_of(in_cells, "length") or "" if in_cells else "")
+        roles.units[at] = unit or wavelength_unit or "nm"
         wavelengths, which = np.unique(in_nm(written[:, 0], unit, where, wavelength_unit), return_inverse=True)
         channels = _names_of(wavelengths, where)
     else:

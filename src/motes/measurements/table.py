@@ -247,6 +247,8 @@ class _Angles:
             unit,
             notes,
         )
+        self.in_degrees: list[str] = []  # for each column that says so itself, in its name or its cells
+        self.without_unit: list[tuple[str, str]] = []  # label and angle
 
     def pairs(self, shared: Mapping[str, float], from_mirror: bool) -> Floats:
         """wi and wo (N, 6)."""
@@ -364,12 +366,16 @@ class _Angles:
                 + (f", its name says {column.unit}" if column.unit else ""),
                 "Correct one of them",
             )
-        others = {c.unit for c in self.roles.columns if c is not None and c.role == "angle"}
-        if not unit and "deg" in others:
+        others = {c.unit for c in self.roles.columns if c is not None and c.role == "angle"} | set(self.in_degrees)
+        self.in_degrees += [unit] if unit == "deg" and not self.unit else []
+        self.without_unit += [(label, name)] if not unit else []
+        if self.without_unit and ("deg" in others or self.in_degrees):
+            bare, its = self.without_unit[0]
             raise FormatError(
-                f"{self.where}: {label!r} names no unit, and other angles are in degrees",
-                f"--read angles=deg says that it is in degrees too, --read 'column:{label}={name}_rad' that it is in radians",
+                f"{self.where}: {bare!r} names no unit, and other angles are in degrees",
+                f"--read angles=deg says that it is in degrees too, --read 'column:{bare}={its}_rad' that it is in radians",
             )
+        self.roles.units[at] = unit or "rad"
         radians = values * names.FACTORS[unit or "rad"]
         bad = np.abs(radians) > LARGEST_ANGLE
         if bad.any():
