@@ -251,6 +251,15 @@ def test_more_light_out_than_in_is_said(scale: float, words: str, tmp_path: Path
     assert implausible(flat(tmp_path, f)) == ()
 
 
+@pytest.mark.parametrize("full", [255, 4095, 65535])
+def test_pixels_and_counts_are_said_to_be_that(full: int, tmp_path: Path) -> None:
+    angles = goniometer((15, 45), range(5, 70, 10), (0, 60, 120, 180))
+    f = evaluated(motes.OrenNayar(K_d=(0.8, 0.7, 0.6), sigma_d=0.3), angles, 0.01)
+    said = implausible(flat(tmp_path, np.round(full * f / f.max())))
+    assert f"whole numbers up to {full}" in said[0]
+    assert "percent" not in said[0]
+
+
 def test_light_back_to_the_lamp_is_odd_of_a_layer_and_not_of_a_powder(tmp_path: Path) -> None:
     angles = goniometer((15, 45), range(5, 70, 10), (0, 60, 120, 180))
     for model in (motes.Hapke(w=0.5, g=-0.4), motes.Dust(w=0.5, g=-0.4)):

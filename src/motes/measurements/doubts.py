@@ -67,6 +67,12 @@ def _energy(data: Measurement) -> list[str]:
             f"{said}. The scale of these data is that of their irradiance; --read irradiance={_nice(factor)} or more would bring it below 1."
         ]
     table = data.provenance.get("format") == "csv"
+    values = data.values[data.mask]
+    if (values == np.round(values)).all():
+        return [
+            f"{said}; all values are whole numbers up to {values.max():.7g}, as the pixels of a picture or the counts of a detector: "
+            "take off the picture's transfer function and the dark signal, and divide by what a white standard gives."
+        ]
     if factor <= np.pi * ENERGY:
         mend = "reflectance factors (pi times the BRDF)", "reflectance_factor"
     elif factor <= 100 * np.pi * ENERGY:
