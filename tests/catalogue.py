@@ -36,7 +36,9 @@ from motes.models import (
     Hapke,
     Lambert,
     OrenNayar,
+    Retro,
     Schlick,
+    Sheen,
     TorranceSparrow,
 )
 from motes.models.coated_diffuse import diffuse_reflectance
@@ -209,6 +211,17 @@ def coated_diffuse(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
     return CoatedDiffuse(column(r["K_d"]), n), published.coated_diffuse(*angles(r), r["K_d"], n, mean)
 
 
+def retro(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
+    alpha = 0.05 + r["sigma_s"]
+    theta_i, theta_r, phi = angles(r)
+    return Retro(column(r["w"]), alpha), r["w"] * published.ggx(theta_i, theta_r, phi + np.pi, alpha)
+
+
+def sheen(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
+    a = np.clip(0.22 + r["sigma_s"], 0.22, 1.0)
+    return Sheen(column(r["K_d"]), a), r["K_d"] * published.sheen(*angles(r), a)
+
+
 def dust(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
     return Dust(column(r["w"]), r["g"]), dust_brdf(r)
 
@@ -355,6 +368,8 @@ ENTRIES = (
     Entry("beckmann", Beckmann(1.0, 0.4, Dielectric(1.5)), beckmann),
     Entry("coated_diffuse", CoatedDiffuse((0.9, 0.4), 1.5), coated_diffuse),
     Entry("hapke", Hapke((0.9, 0.5), -0.3, 0.6, 0.1), hapke, at_most=None),
+    Entry("retro", Retro((1.0, 0.5), 0.25), retro),
+    Entry("sheen", Sheen((1.0, 0.5), 0.4), sheen),
     Entry(
         "dust_isotropic", Dust(1.0, 0.0), dust, directional=isotropic_dust, spherical=(2 * (1 - np.log(2)) / 3, 1e-6)
     ),

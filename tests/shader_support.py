@@ -21,7 +21,9 @@ from motes.models import (
     Hapke,
     Lambert,
     OrenNayar,
+    Retro,
     Schlick,
+    Sheen,
     TorranceSparrow,
 )
 
@@ -49,6 +51,8 @@ MODELS: dict[str, BRDF] = {
     "two_normalised": TorranceSparrow((0.6, 0.5, 0.4), 0.3, "facets") + TorranceSparrow(0.2, 0.5, "facets"),
     "coated_diffuse": CoatedDiffuse((0.9, 0.5, 0.2), 1.5),
     "hapke": Hapke((0.95, 0.5, 0.2), -0.3, 0.6, 0.1),
+    "retro": Retro((0.8, 0.5, 0.25), 0.3),
+    "sheen": Sheen((0.8, 0.5, 0.25), 0.4),
     "dust_forward": Dust((0.7, 0.6, 0.5), 0.6),
     "dust_backward": Dust((0.7, 0.6, 0.5), -0.4),
     "dust_brightness": Dust((0.7, 0.6, 0.5), 0.3, form="brightness"),

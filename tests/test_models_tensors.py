@@ -77,6 +77,8 @@ FOR_JAX = (
     "ggx",
     "gtr",
     "beckmann",
+    "retro",
+    "sheen",
     "dust_forward",
     "torrance_sparrow_conductor",
     "torrance_sparrow_schlick",

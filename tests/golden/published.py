@@ -70,6 +70,14 @@ def gtr(theta_i: Any, theta_r: Any, dphi: Any, alpha: Any, gamma: Any, masking: 
 
 
 @_rows
+def sheen(theta_i: Any, theta_r: Any, dphi: Any, a: Any) -> Any:
+    """Conty Estevez, Kulla 2017, (2), over Neubelt and Pettineo's denominator."""
+    cosines, theta_h = _facets(theta_i, theta_r, dphi)
+    D = (2 + 1 / a) * mp.sin(theta_h) ** (1 / a) / (2 * mp.pi)
+    return D / (4 * (mp.cos(theta_i) + mp.cos(theta_r) - cosines))
+
+
+@_rows
 def hapke(theta_i: Any, theta_r: Any, dphi: Any, w: Any, g: Any, B_0: Any, h: Any) -> Any:
     """Hapke 1981, (16) with (22), by the phase angle; BRDF: his reflectance over the cosine of incidence."""
     mu_0, mu = mp.cos(theta_i), mp.cos(theta_r)

@@ -612,6 +612,90 @@ export const MODELS: Record<string, ModelDeclaration> = {
       }
     ]
   },
+  "retro": {
+    "brdf": true,
+    "summary": "Light that goes back to where it came from: a term beside others, ``EON(...) + Retro(...)``, for cloth, road signs and rough minerals.",
+    "fields": [
+      {
+        "kind": "parameter",
+        "name": "K_r",
+        "symbol": "K_r",
+        "unit": "",
+        "meaning": "share of light that is sent back",
+        "value": 0.1,
+        "low": 0,
+        "high": null,
+        "open": false,
+        "typical": [
+          0,
+          1
+        ],
+        "perChannel": true,
+        "role": "further_strength",
+        "advice": ""
+      },
+      {
+        "kind": "parameter",
+        "name": "alpha_r",
+        "symbol": "\\alpha_r",
+        "unit": "",
+        "meaning": "width of what is sent back, the roughness alpha of the GGX that would mirror it",
+        "value": 0.3,
+        "low": 0.001,
+        "high": 1,
+        "open": false,
+        "typical": [
+          0.02,
+          0.8
+        ],
+        "perChannel": false,
+        "role": "further_width",
+        "advice": ""
+      }
+    ]
+  },
+  "sheen": {
+    "brdf": true,
+    "summary": "What velvet, felt and downy surfaces add towards grazing, where they are brightest: a term beside others, ``EON(...) + Sheen(...)``.",
+    "fields": [
+      {
+        "kind": "parameter",
+        "name": "K_f",
+        "symbol": "K_f",
+        "unit": "",
+        "meaning": "strength of the fibres; with 1 they return at most as much light as arrives",
+        "value": 0.2,
+        "low": 0,
+        "high": null,
+        "open": false,
+        "typical": [
+          0,
+          1
+        ],
+        "perChannel": true,
+        "role": "further_strength",
+        "advice": ""
+      },
+      {
+        "kind": "parameter",
+        "name": "a",
+        "symbol": "a",
+        "unit": "",
+        "meaning": "roughness of the fibres: small where they stand upright and shine at grazing angles alone",
+        "value": 0.5,
+        "low": 0.22,
+        "high": 1,
+        "open": false,
+        "typical": [
+          0.22,
+          1
+        ],
+        "perChannel": false,
+        "role": "further_width",
+        "advice": "Other programs allow less, with more light than arrives"
+      }
+    ]
+  },
   "dielectric": {
     "brdf": false,
     "summary": "Glass, varnish, plastic, water: a real refractive index; exact.",

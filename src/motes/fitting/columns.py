@@ -13,7 +13,7 @@ from motes.fitting.losses import Floats
 from motes.parameters import Parameter, Role
 
 #: What a fit of data that are so many times as bright finds so many times as large.
-STRENGTHS = (Role.DIFFUSE_COLOUR, Role.HIGHLIGHT_STRENGTH)
+STRENGTHS = (Role.DIFFUSE_COLOUR, Role.HIGHLIGHT_STRENGTH, Role.FURTHER_STRENGTH)
 # Means of pi times the BRDF: data that are darker as a whole, or brighter by half, are in units of their own.
 DARKEST, BRIGHTEST = 1e-3, 3.0
 

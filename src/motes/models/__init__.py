@@ -20,6 +20,8 @@ from motes.models.gtr import GTR
 from motes.models.dust import Dust, DustLayer
 from motes.models.coated_diffuse import CoatedDiffuse
 from motes.models.hapke import Hapke
+from motes.models.retro import Retro
+from motes.models.sheen import Sheen
 from motes.models.fresnel import Conductor, Dielectric, Fresnel, Schlick
 from motes.models.surfaces.openpbr import OpenPBR
 from motes.models.surfaces.standard_surface import StandardSurface
@@ -53,8 +55,10 @@ __all__ = [
     "OrenNayar",
     "Principled",
     "Reflection",
+    "Retro",
     "Sampled",
     "Schlick",
+    "Sheen",
     "StandardLobe",
     "StandardSurface",
     "Sum",

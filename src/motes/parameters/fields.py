@@ -36,6 +36,8 @@ class Role(Enum):
     ASYMMETRY = "mean cosine of the scattering angle"
     SURGE_STRENGTH = "height of the opposition surge"
     SURGE_WIDTH = "width of the opposition surge"
+    FURTHER_STRENGTH = "strength of a further lobe"
+    FURTHER_WIDTH = "width of a further lobe"
 
 
 class Place(Enum):

@@ -16,9 +16,9 @@ from motes.directions import Geometry
 from motes.models.components import Component
 from motes.models.lobes import CosineLobe
 from motes.models.naming import register
+from motes.models.sheen import sheen, sheen_albedo
 from motes.models.surfaces import glossy
 from motes.models.surfaces.program import NEGLIGIBLE, Numbers, Surface, number
-from motes.models.surfaces.sheen import sheen, sheen_albedo
 from motes.parameters import Role, parameter
 
 
