@@ -251,6 +251,27 @@ def test_more_light_out_than_in_is_said(scale: float, words: str, tmp_path: Path
     assert implausible(flat(tmp_path, f)) == ()
 
 
+def test_hardly_any_light_out_is_said(tmp_path: Path) -> None:
+    angles = goniometer((15, 45), range(5, 70, 10), (0, 60, 120, 180))
+    f = evaluated(motes.OrenNayar(K_d=(0.8, 0.7, 0.6), sigma_d=0.3), angles, 0.01)
+    assert implausible(flat(tmp_path, 1e-3 * f)) == ()  # soot
+    said = implausible(flat(tmp_path, 1e-6 * f))
+    assert said[0].startswith("Hardly any light out")
+
+
+def test_a_few_directions_that_carry_the_misfit_are_said(tmp_path: Path) -> None:
+    angles = goniometer((15, 45), range(5, 70, 10), (0, 60, 120, 180))
+    f = evaluated(motes.OrenNayar(K_d=(0.4, 0.3, 0.2), sigma_d=0.3), angles, 0.01)
+    f[::17] *= 10
+    data = flat(tmp_path, f)
+    text = motes.fit(data, "oren_nayar").findings[0]
+    assert "6 of 56 directions make" in text
+    assert "--robust cauchy" in text
+    mended = motes.fit(data, "oren_nayar", robust="cauchy")
+    assert "cauchy lets them count less" in mended.findings[0]
+    np.testing.assert_allclose(mended.parameters["K_d"].value, (0.4, 0.3, 0.2), rtol=0.05)
+
+
 @pytest.mark.parametrize("full", [255, 4095, 65535])
 def test_pixels_and_counts_are_said_to_be_that(full: int, tmp_path: Path) -> None:
     angles = goniometer((15, 45), range(5, 70, 10), (0, 60, 120, 180))

@@ -339,6 +339,14 @@ class TestClipping:
         found = policy.clipped(wi, wo, saturated[None, :, None])
         np.testing.assert_array_equal(found[0, :, 0], f >= 1.5)
 
+    def test_a_ceiling_near_the_median_is_found_where_values_are_not_rounded(self):
+        wi, wo, f = self.glossy(digits=12)
+        f = (0.5 + f) * (1 + 0.1 * wi[:, 2])  # the floor, too, is not one number
+        ceiling = float(np.quantile(f, 0.8))
+        assert ceiling < 3 * np.median(f)
+        found = policy.clipped(wi, wo, np.minimum(f, ceiling)[None, :, None])
+        np.testing.assert_array_equal(found[0, :, 0], f >= ceiling)
+
     def test_no_ceiling_no_clipping(self):
         wi, wo, f = self.glossy()
         assert not policy.clipped(wi, wo, f[None, :, None]).any()

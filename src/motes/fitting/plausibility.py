@@ -23,6 +23,7 @@ from motes.parameters import Role
 Floats = NDArray[np.float64]
 
 POOR = 0.3  # relative RMS: beyond it a model misses much of a measurement
+FEW, MOST, FEWEST = 0.1, 0.8, 20  # a tenth of the directions with most of the squared residuals, of as many at least
 SURE = 2.0  # standard errors that a parameter must lie beyond its range
 BRIGHT = 1.02  # directional albedo; the quadrature is good to a thousandth
 # A coarse quadrature, good to a few hundredths, settles the matter where it finds less than this share of that.
@@ -47,10 +48,33 @@ def _poor(fit: Fit | TimeFit) -> list[str]:
         return []
     other = "" if len(fit.tried) > 1 else " --model auto tries others."
     size = f"{share:.0%}" if share < 100 else f"{share:.0e} times the values"
+    few = _few_carry_it(fit)
+    if few and fit.robust != "none":
+        return [f"{few} (relative RMS {size}); {fit.robust} lets them count less. The report shows where they are."]
+    outliers = (
+        f" {few}: the report shows where. If they are mistakes of the measurement, --robust cauchy lets them count less."
+        if few
+        else ""
+    )
     return [
         f"The model misses much of the measurement: relative RMS {size}. Its parameters and their errors describe the model and not the "
-        f"surface.{other}"
+        f"surface.{other}{outliers}"
     ]
+
+
+def _few_carry_it(fit: Fit | TimeFit) -> str:
+    """Where most of the misfit lies at a few directions, which may be mistakes of the measurement."""
+    if not isinstance(fit, Fit):
+        return ""
+    squares = np.sort(np.nansum(fit.residuals**2, axis=1))[::-1]
+    measured = int(fit.measurement.mask[0].any(axis=1).sum())
+    few = math.ceil(FEW * measured)
+    share = float(squares[:few].sum() / max(squares.sum(), 1e-300))
+    return (
+        f"{few} of {measured} directions make {share:.0%} of the squared residuals"
+        if measured >= FEWEST and share >= MOST
+        else ""
+    )
 
 
 def _untold_scale(fit: Fit | TimeFit) -> list[str]:

@@ -15,6 +15,7 @@ from motes.measurements.measurement import Measurement
 Floats = NDArray[np.float64]
 
 ENERGY = 1.05  # pi f_r of the typical sample; a perfect white diffuser has 1
+BLACKEST = 3e-4  # pi f_r of arrays of carbon nanotubes, as their makers state it
 AWAY = 0.35  # rad from the half vector to the normal: beyond most highlights
 LIGHT = (100.0, 100_000.0)  # nm
 FEWEST = 20  # samples that a statement needs
@@ -58,6 +59,11 @@ def _energy(data: Measurement) -> list[str]:
         return []
     t, c = (int(k) for k in np.unravel_index(np.nanargmax(reflected), reflected.shape))
     factor = float(reflected[t, c])
+    if 0 < factor < BLACKEST:
+        return [
+            f"Hardly any light out: the brightest of the data has pi f_r = {factor:.2g}, and the blackest surfaces have {BLACKEST:g}. The values may be in "
+            "another unit than 1/sr, or lack a scale; roughness goes with it, for light between facets goes with the square of the colour."
+        ]
     if factor <= ENERGY:
         return []
     where = f"channel {data.channels[c]}" if data.n_channels > 1 else "the typical sample"

@@ -195,14 +195,20 @@ def _scatter(positive: NDArray[np.float64]) -> float:
     return scatter
 
 
+def _differ(v: NDArray[np.float64], top: float, key: NDArray[np.float64]) -> bool:
+    """Whether nearly each geometry below the maximum has a value of its own, as numbers that are not rounded have."""
+    below = np.isfinite(v) & (v < top)
+    return len(np.unique(v[below])) >= max(10.0, 0.95 * len(np.unique(key[below], axis=0)))
+
+
 def clipped(wi: NDArray[np.float64], wo: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Samples (T, N, C) that sit on a plateau at the maximum of their time and channel: the sensor's ceiling.
 
     A plateau is called clipping when at least three *different* geometries share exactly the maximum, twice as many as
-    share any of the ten next lower values, and the maximum is at least three times the median.  Geometries that
-    isotropy and reciprocity make equal (mirror images, any azimuth at normal incidence, wi and wo swapped) count once:
-    a noise-free simulation repeats its values there without any clipping.  The last two conditions spare rounded data
-    of matte surfaces, which repeat every value.  A sensor that saturates once or twice is not found.
+    share any of the ten next lower values, and the maximum is at least three times the median, or hardly a value below it
+    stands twice.  Geometries that isotropy and reciprocity make equal (mirror images, any azimuth at normal incidence, wi
+    and wo swapped) count once: a noise-free simulation repeats its values there without any clipping.  The last two
+    conditions spare rounded data of matte surfaces, which repeat every value.  A sensor that saturates once or twice is not found.
     """
     # one number a geometry, so that the repeats of one can be told from a plateau
     cosines = np.sort(np.stack([wi[:, 2], wo[:, 2]]), axis=0)
@@ -215,7 +221,7 @@ def clipped(wi: NDArray[np.float64], wo: NDArray[np.float64], values: NDArray[np
             if usable.sum() < 10:
                 continue
             top = v[usable].max()
-            if np.count_nonzero(v == top) < 3 or top < 3 * np.median(v[usable]):
+            if np.count_nonzero(v == top) < 3 or not (top >= 3 * np.median(v[usable]) or _differ(v, top, key)):
                 continue
             levels = np.unique(v[usable])[-11:]
             counts = [len(np.unique(key[v == level], axis=0)) for level in levels]
