@@ -44,7 +44,7 @@ def added(
     tail = [1 + F["far"] * (1 - q) + F["far_2"] * (1 - q) ** 2 for q in (ahead, ahead**1.5)]
     height = [np.ones_like(g), F["height"] + F["height_g"] * ahead]
     kept = [(1 + back) / (1 - back) ** 2 * h / t for h, t in zip(height, tail, strict=True)]
-    own = [alpha**2 / (alpha**2 + F["own"] * width**2) for width in widths]
+    own = [alpha**2 / (alpha**2 + F[name] * width**2) for name, width in zip(("own", "own_again"), widths, strict=True)]
 
     def shares(mu: Floats) -> tuple[Floats, Floats, Floats, Floats, Floats, Floats]:
         """Straight, arriving, once, again, and what counts as diffuse."""
@@ -67,7 +67,7 @@ def added(
     x = np.abs(tau / mu_i - tau / mu_r)
     single = w * tau / (mu_i * mu_r) * np.maximum(s_i, s_r) * (1 + x / 6) / (1 + 2 * x / 3 + x**2 / 6)
     several = s_i * again_r + s_r * again_i + (once_i + again_i) * (once_r + again_r)
-    uneven = np.minimum((mu_i + mu_r) ** 2 / (4 * mu_i * mu_r), 1.2)
+    uneven = np.minimum((mu_i + mu_r) ** 2 / (4 * mu_i * mu_r), F["uneven"])
     steep = (1 + F["steep"] * (mu_i * mu_r - 0.5)) * uneven / (mu_i + mu_r)
     weights = [single * (s_i * a_i + s_r * a_r), several * steep * (a_i + a_r)]
     # The lobe, from the angles.
@@ -76,8 +76,8 @@ def added(
     tilt = 1 - ((mu_i + mu_r) / (2 * cos_d)) ** 2
     deviation = 4 * tilt * cos_d**2 + (mu_i - mu_r) ** 2
     lobes = []
-    for width in widths:
-        bend = F["bend"] / (1 + F["narrower"] * alpha) * width
+    for width, again in zip(widths, ("", "_again"), strict=True):
+        bend = F["bend" + again] / (1 + F["narrower" + again] * alpha) * width
         along, across = 2 * F["width"] * alpha + bend, 2 * F["width"] * alpha * cos_d + bend
         # (1/across^2 - 1/along^2) cos_d^2 / (1 - cos_d^2), of which the sine cancels.
         turned = 2 * F["width"] * alpha * (along + across) / (along * across) ** 2 * cos_d**2 / (1 + cos_d)

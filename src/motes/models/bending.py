@@ -30,17 +30,16 @@ from motes.models.slants import Slant, inverses
 
 #: Found by comparison with photons, all at once, by ``tools/blur_fit.py``, which also says what each is.
 FITTED = {
-    "width": 0.937, "bend": 1.33, "narrower": 0.558, "own": 37.99, "far": 0.127, "far_2": -0.006,
-    "bent": 0.191, "level": -0.103, "level_g": 0.1, "deep": 0.313, "height": 0.845, "height_g": 0.075, "steep": -0.428,
-    "horizon": 0.824, "once": 1.231, "once_g": 2.284, "once_g2": -2.848, "twice": 5.623, "twice_g": -4.046, "lost": 3.405,
+    "width": 0.923, "bend": 1.356, "narrower": 0.404, "own": 8.009, "own_again": 94.06,
+    "bend_again": 1.302, "narrower_again": 0.166, "far": -0.081, "far_2": 0.181,
+    "bent": 0.289, "level": -0.272, "level_g": 0.103, "deep": 0.34, "height": 0.914, "height_g": -0.009, "steep": -0.441,
+    "horizon": 0.547, "once": 0.322, "once_g": 3.195, "once_g2": -3.088, "twice": 8.794, "twice_g": -7.78, "lost": 3.477, "uneven": 1.015,
 }  # fmt: skip
 # Thicker layers show nothing of what lies below; in numbers of few bits an infinite one would be too large for its square.
 DEEPEST = 100.0
 # Below, the phase function counts as even.
 LEAST_FORWARD = 1e-3
 LEAST = 1e-9
-# Of (mu_i + mu_r)^2 / (4 mu_i mu_r): what photons were compared with, at incidences up to 55 degrees, is below.
-MOST_UNEVEN = 1.2
 
 
 def uniform(count: int) -> list[tuple[float, float]]:
@@ -176,7 +175,7 @@ class Highlight:
         once = bending.scattered_once(i.slant, r.slant) * (i.below.straight * a_i + r.below.straight * a_r)
         # 1/mu of the mirrored direction, the mean of both. It is bounded where one of them grazes and the lobe reaches far above it.
         both = i.slant.cosine + r.slant.cosine
-        inverse = xp.minimum(i.slant.inverse + r.slant.inverse, (4 * MOST_UNEVEN) / both)
+        inverse = xp.minimum(i.slant.inverse + r.slant.inverse, (4 * f["uneven"]) / both)
         level = (1 + f["steep"] * (i.slant.cosine * r.slant.cosine - 0.5)) * (0.25 * inverse)
         again = self._again(i, r) * (level * (a_i + a_r))
         near, far = self._lobes(geometry)
@@ -218,11 +217,9 @@ class Highlight:
     @cached_property
     def own(self) -> tuple[Array, Array]:
         """The share of bent light that has the highlight's own shape, where that is wider than the phase function."""
-        return self._own(self.bending.widths[0]), self._own(self.bending.widths[1])
-
-    def _own(self, width: Array) -> Array:
-        squared = self.spread * self.spread
-        return squared / (squared + FITTED["own"] * (width * width))
+        widths, squared = self.bending.widths, self.spread * self.spread
+        once, again = FITTED["own"] * (widths[0] * widths[0]), FITTED["own_again"] * (widths[1] * widths[1])
+        return squared / (squared + once), squared / (squared + again)
 
     @cached_property
     def roughness(self) -> Array:
@@ -257,8 +254,9 @@ class Highlight:
     @cached_property
     def _bends(self) -> tuple[Array, Array]:
         """The width that bending adds."""
-        scale = FITTED["bend"] / (1 + FITTED["narrower"] * self.spread)
-        return scale * self.bending.widths[0], scale * self.bending.widths[1]
+        f, widths = FITTED, self.bending.widths
+        once, again = f["bend"] * widths[0], f["bend_again"] * widths[1]
+        return once / (1 + f["narrower"] * self.spread), again / (1 + f["narrower_again"] * self.spread)
 
     def _lobes(self, geometry: Geometry) -> tuple[Array, Array]:
         """k for light bent once and more often; both angles are computed from squares of sums, so that nothing cancels about the mirrored direction.
