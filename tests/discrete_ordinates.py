@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -30,12 +30,18 @@ class Solution(NamedTuple):
 
 def layer(base: BRDF, tau: float, w: float, g: float, theta_i: float, streams: int = 48) -> Solution:
     """A layer of Henyey-Greenstein dust under light from `theta_i`; w = 1 is taken as 1 - 1e-9."""
+    return layers(base, [(tau, w, g)], theta_i, streams)
+
+
+def layers(base: BRDF, dusts: Sequence[tuple[float, float, float]], theta_i: float, streams: int = 48) -> Solution:
+    """Several layers, the topmost first, each of its own tau, w and g."""
     modes: list[Any] = [float(np.asarray(base.K_d))] if isinstance(base, Lambert) else _modes(base, streams)
+    tau, w, g = (np.array(values, float) for values in zip(*dusts, strict=True))
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", message="Some delta-scaled single-scattering albedos are very close to 1")
         cosines, flux_up, *_, u = PythonicDISORT.pydisort(
-            tau, min(w, 1 - 1e-9), streams, float(g) ** np.arange(MOMENTS)[None], np.cos(theta_i), 1.0, 0.0,
-            NLeg=streams, f_arr=float(g) ** streams, NT_cor=bool(g), BDRF_Fourier_modes=modes,
+            np.cumsum(tau), np.minimum(w, 1 - 1e-9), streams, g[:, None] ** np.arange(MOMENTS), np.cos(theta_i), 1.0, 0.0,
+            NLeg=streams, f_arr=g**streams, NT_cor=bool(g.any()), BDRF_Fourier_modes=modes,
         )  # fmt: skip
     up = np.flatnonzero(cosines > 0)
 

@@ -3,10 +3,10 @@
 usage: python tools/dust_errors.py [--scattering single|multiple] [--quick] [GOLDEN [PICTURE]]
        (default: multiple, ../shared/golden/dust_layer_exact.csv, docs/pictures/dust_errors.png)
 
-Four parts, each against another reference: rows of discrete ordinates over Lambertian bases (GOLDEN); white dust over white, which keeps all light; the photon
-Monte Carlo over glossy bases (tests/photons.py), whose own standard errors are printed beside; and discrete ordinates solved here over a grid of (tau, w, g),
-which is the map.
-About two minutes.  Needs the development extras.
+Five parts, each against another reference: rows of discrete ordinates over Lambertian bases (GOLDEN); white dust over white, which keeps all light; the photon
+Monte Carlo over glossy bases (tests/photons.py), whose own standard errors are printed beside; discrete ordinates of two dusts,
+one on the other; and discrete ordinates solved here over a grid of (tau, w, g), which is the map.
+About three minutes.  Needs the development extras.
 """
 
 from __future__ import annotations
@@ -208,6 +208,41 @@ def glossy_table(scattering: str, count: int) -> None:
     )
 
 
+# ---------------------------------------------------------------- Dust over dust
+
+#: tau, w, g of what lies above, and of what lies below.
+UPPER = ((0.1, 0.5, 0.3), (0.1, 0.97, 0.6), (0.5, 0.5, 0.6), (0.5, 0.97, 0.3), (2.0, 0.8, 0.6), (0.5, 0.9, -0.4))
+LOWER = ((0.2, 0.97, 0.6), (1.0, 0.99, 0.5), (1.0, 0.5, 0.6), (5.0, 0.99, 0.0), (30.0, 0.999, 0.6), (0.3, 0.9, 0.85))
+
+
+def stacks_table(scattering: str) -> None:
+    """Errors of two layers over black, grey and bright bases, at three incidences and for viewers up to 80 degrees, by what lies below."""
+    azimuths, rows, every = np.radians([0.0, 60.0, 120.0, 180.0]), [], []
+    for lower in LOWER:
+        off: list[tuple[float, float, float]] = []
+        for upper, K_d, theta_i in product(UPPER, (0.0, 0.3, 0.8), np.radians([20.0, 50.0, 75.0])):
+            truth = discrete_ordinates.layers(Lambert(K_d), [upper, lower], theta_i, 32)
+            model = dusty(dusty(Lambert(K_d), *lower, scattering), *upper, scattering)
+            seen = truth.cosines >= np.cos(STEEPEST)
+            wi, wo = (
+                from_spherical(theta_i, 0.0),
+                from_spherical(np.arccos(truth.cosines[seen])[:, None], azimuths),
+            )
+            brdf = np.abs(model.eval(wi, wo)[..., 0] / truth.brdf(azimuths)[seen] - 1)
+            albedo = float(model.directional_albedo(wi, nodes=(24, 32))[0]) / truth.albedo - 1
+            off.append((albedo, float(np.median(brdf)), float(brdf.max())))
+        every += off
+        rows.append(
+            f"{', '.join(f'{x:g}' for x in lower)} | " + " | ".join(percent(part) for part in zip(*off, strict=True))
+        )
+    rows.append("all | " + " | ".join(percent(part) for part in zip(*every, strict=True)))
+    table(
+        f"Dust over dust ({scattering}), errors in percent",
+        "tau, w, g below | albedo: median | 95 % | worst | median BRDF of a case: median | 95 % | worst | worst BRDF of a case: median | 95 % | worst",
+        rows,
+    )
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("golden", nargs="?", type=Path, default=ROOT.parent / "shared/golden/dust_layer_exact.csv")
@@ -221,6 +256,7 @@ def main() -> None:
         print(f"{chosen.golden} is missing: its rows are left out")
     furnace(chosen.scattering)
     glossy_table(chosen.scattering, 2**11 if chosen.quick else 2**16)
+    stacks_table(chosen.scattering)
     error_map(chosen.picture, chosen.scattering, chosen.quick)
 
 

@@ -12,7 +12,7 @@ from motes.ageing.phenomenon import Aged, Choice, Option, Phenomenon, Task
 from motes.errors import ParameterError
 from motes.material import Material
 from motes.models import BRDF, Dust, DustLayer, Layer, OrenNayar, TorranceSparrow, layer_of
-from motes.models.dust import MULTIPLE, SCATTERING
+from motes.models.particles import MULTIPLE, SCATTERING
 from motes.parameters import Role
 from motes.trends import AnyTrend, Trend
 

@@ -16,7 +16,8 @@ import numpy as np
 from motes.fitting.ladder import Rung
 from motes.fitting.losses import Floats
 from motes.models.composition import layer_of
-from motes.models.dust import MULTIPLE, DustLayer
+from motes.models.dust import DustLayer
+from motes.models.particles import MULTIPLE
 from motes.parameters import Role
 
 #: With fewer blocks nothing is known of how well candidates predict.

@@ -20,7 +20,7 @@ from motes.errors import DataError, ParameterError
 from motes.graph.recording import Kind
 from motes.kernels import engine, immediate
 from motes.models.albedo import directional_albedo
-from motes.models.components import Component, Reflecting
+from motes.models.components import Component, Piece, Reflecting
 from motes.models.lifting import averaged, broadcast, leading, lifted, matching
 from motes.models.lobes import Reflection
 from motes.models.standard import StandardLobe
@@ -93,6 +93,10 @@ class BRDF(Reflecting, ABC):
 
     def terms(self) -> tuple[BRDF, ...]:
         """The BRDFs whose sum this is: itself alone, unless it is a sum."""
+        return (self,)
+
+    def pieces(self) -> tuple[BRDF | Piece, ...]:
+        """What a layer of dust above tells apart of a term: its highlights, and the rest."""
         return (self,)
 
     # ------------------------------------------------------------ what users call

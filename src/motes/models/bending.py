@@ -16,6 +16,7 @@ highlight's own shape.  Light that was scattered more often takes the same form,
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -204,6 +205,12 @@ class Highlight:
         """What this highlight sends up of light from a direction, after one reflection."""
         return seen.below.near * self._reflected(seen) + self.mean_reflected * self.rest(seen.below)
 
+    def first(self, seen: Seen) -> Array:
+        """The share of light from a direction that leaves above after one reflection here, along the mirrored direction or from all around."""
+        below, layer = seen.below, self.bending.layer
+        near = below.near * self._reflected(seen) * (below.straight + below.arriving)
+        return near + self.mean_reflected * self.rest(below) * layer.mean_arriving
+
     def _reflected(self, seen: Seen) -> Array:
         """The share of light from a direction that the facets reflect."""
         return self.term.reflected(self.bending.layer.xp, seen.slant.cosine)
@@ -230,7 +237,7 @@ class Highlight:
 
     @cached_property
     def mean_reflected(self) -> Array:
-        return mean_reflected(self.term, self.bending.layer.xp)
+        return mean_reflected(self.term.reflecting(self.bending.layer.xp))
 
     @cached_property
     def _inverse_rest(self) -> Array:
@@ -282,9 +289,9 @@ class Highlight:
         return INV_PI * near_height * near_inverse, INV_PI * far_height * far_inverse
 
 
-def mean_reflected(term: Reflecting, xp: Array) -> Array:
-    """The share of uniform light that a term reflects."""
+def mean_reflected(reflected: Callable[[Array], Array]) -> Array:
+    """The share of uniform light that is reflected, where `reflected` says which share of light from a cosine is."""
     total: Array = 0.0
     for node, weight in uniform(6):
-        total = total + term.reflected(xp, node) * weight
+        total = total + reflected(node) * weight
     return total

@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 from motes.arrays import Array
 from motes.directions import Geometry
@@ -57,9 +58,54 @@ class Reflecting(Parametrised, ABC):
             total = total + component.importance
         return total
 
+    def reflecting(self, xp: Array) -> Callable[[Array], Array]:
+        """`reflected` as a function of the cosine alone, for callers with many: what does not depend on it is then computed once."""
+        return partial(self.reflected, xp)
+
+    def leans(self) -> bool:
+        """Whether what it reflects depends on directions so much that dust above must tell light that it scattered forward from uniform light."""
+        return False
+
     def spread(self) -> Array | None:
         """The width of its highlight, as the roughness alpha of the GGX that is most like it; None for what has no highlight.
 
         Dust above blurs what has one, by light that it bends.  Of a sum, its terms are asked.
         """
         return None
+
+
+@dataclass(frozen=True, eq=False)
+class Piece(Reflecting):
+    """A part of a BRDF as dust above sees it, where that is not a BRDF of its own.
+
+    Parameters
+    ----------
+    formula
+        ``formula(xp, geometry)`` is its value [1/sr].
+    albedo
+        ``albedo(xp)`` is a function of the cosine: the share of light that it reflects.
+    parts
+        ``parts(xp, cos_theta_i)`` are its components.
+    width
+        What `spread` says; a piece that is no highlight leans.
+    """
+
+    formula: Callable[[Array, Geometry], Array]
+    albedo: Callable[[Array], Callable[[Array], Array]]
+    parts: Callable[[Array, Array], list[Component]]
+    width: Array | None
+
+    def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
+        return self.parts(xp, cos_theta_i)
+
+    def reflected(self, xp: Array, cos_theta_i: Array) -> Array:
+        return self.albedo(xp)(cos_theta_i)
+
+    def reflecting(self, xp: Array) -> Callable[[Array], Array]:
+        return self.albedo(xp)
+
+    def leans(self) -> bool:
+        return self.width is None
+
+    def spread(self) -> Array | None:
+        return self.width

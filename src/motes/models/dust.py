@@ -10,57 +10,29 @@ appendix C of "Time-Varying BRDFs"."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import partial
 from typing import ClassVar, Self, final
 
 import numpy as np
 
 from motes import equations
-from motes.arrays import Array, is_foreign
+from motes.arrays import Array
 from motes.directions import Geometry
 from motes.errors import ParameterError
 from motes.models.base import BRDF
 from motes.models.bending import Highlight
-from motes.models.components import Component
+from motes.models.components import Component, Piece
 from motes.models.exchange import Exchange
 from motes.models.ggx import VisibleGGXLobe
-from motes.models.lobes import CosineLobe, PhaseLobe, Reflection
-from motes.models.multiple_scattering import INFINITE, LEAST_G, MOST_G, Diffused
+from motes.models.lobes import TWO_PI, CosineLobe, PhaseLobe, Reflection
+from motes.models.multiple_scattering import INFINITE, Diffused
 from motes.models.naming import register
+from motes.models.particles import MULTIPLE, SCATTERING, SINGLE, check_physical, physical
 from motes.models.slants import Slant
 from motes.models.standard import DIFFUSIVITY, MEAN_COSINE, StandardLobe
 from motes.parameters import Parameter, Place, Role, option, parameter, part
-
-SCATTERING = (SINGLE, MULTIPLE) = ("single", "multiple")
-
-
-def physical(
-    walked: Iterable[tuple[tuple[str, ...], Parameter, Array]], scattering: str
-) -> Iterator[tuple[tuple[str, ...], Parameter, Array]]:
-    """Parameters of dust, with the bounds of real particles where light is scattered more than once."""
-    for path, declared, value in walked:
-        if scattering == MULTIPLE and declared.role is Role.SINGLE_SCATTERING_ALBEDO:
-            declared = replace(declared, bounds=(0, 1), fit_bounds=(0, 1))
-        elif scattering == MULTIPLE and declared.role is Role.ASYMMETRY:
-            declared = replace(declared, bounds=(LEAST_G, MOST_G), open=False, fit_bounds=(LEAST_G, MOST_G))
-        yield path, declared, value
-
-
-def check_physical(owner: str, dust: Dust) -> None:
-    """Raise `ParameterError` for dust that cannot be: that sends back more than it meets, or scatters in one line."""
-    for value, (least, most), name, advice in (
-        (
-            dust.w,
-            (0, 1),
-            "w",
-            "w is the share of light that a particle scatters; fits of single scattering may hold more than 1",
-        ),
-        (dust.g, (LEAST_G, MOST_G), "g", "multiple scattering was computed in that range only"),
-    ):
-        if not is_foreign(value) and not (np.all(np.asarray(value) >= least) and np.all(np.asarray(value) <= most)):
-            worst = np.asarray(value).ravel()[int(np.argmax(np.abs(np.asarray(value) - 0.5 * (least + most))))]
-            raise ParameterError(f"{owner}: {name} = {worst:g} is outside [{least:g}, {most:g}]", advice)
 
 
 @register("dust")
@@ -120,7 +92,7 @@ class Dust(BRDF):
     def __post_init__(self) -> None:
         super().__post_init__()
         if self.scattering == MULTIPLE:
-            check_physical("Dust", self)
+            check_physical("Dust", self.w, self.g)
             if self.form != "brdf":
                 raise ParameterError(
                     f"Dust: form = {self.form!r} is equation (12) as printed, which knows one scattering",
@@ -155,6 +127,24 @@ class Dust(BRDF):
         share = deep.escaping(Slant.of(xp, cos_theta_i))
         more = Component(lambda _, seen: deep.higher_orders(seen, *Slant.pair(seen)), CosineLobe(), share)
         return [once, more]
+
+    def reflected(self, xp: Array, cos_theta_i: Array) -> Array:
+        return self.reflecting(xp)(cos_theta_i)
+
+    def reflecting(self, xp: Array) -> Callable[[Array], Array]:
+        deep = self._deep(xp)
+
+        def reflected(cos_theta_i: Array) -> Array:
+            slant = Slant.of(xp, cos_theta_i)
+            once = deep.returned_once(slant)
+            if self.scattering == SINGLE:
+                return once if self.form == "brdf" else once * (2 * TWO_PI * cos_theta_i)
+            return once + deep.escaping(slant)
+
+        return reflected
+
+    def leans(self) -> bool:
+        return True
 
     def _deep(self, xp: Array) -> Diffused:
         return Diffused(xp, INFINITE, self.w, self.g)
@@ -219,7 +209,7 @@ class DustLayer(BRDF):
                 f"Say it of the layer: DustLayer(base, dust, tau, scattering={self.dust.scattering!r})",
             )
         if self.scattering == MULTIPLE:
-            check_physical("DustLayer", self.dust)
+            check_physical("DustLayer", self.dust.w, self.dust.g)
 
     def _walk(self, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Parameter, Array]]:
         own = (*path, "dust")
@@ -231,15 +221,21 @@ class DustLayer(BRDF):
         return self.base.reciprocal
 
     def formula(self, xp: Array, geometry: Geometry) -> Array:
-        base, dust = self.base.formula(xp, geometry), self.dust.scattered_once(xp, geometry)
-        once = self._layered(xp, geometry, base, dust)
+        return self._over(xp, geometry, self.base.formula(xp, geometry))
+
+    def _over(self, xp: Array, geometry: Geometry, straight: Array) -> Array:
+        """The BRDF [1/sr] with `straight` for what the base shows of light that goes straight through."""
+        once = self._layered(xp, geometry, straight, self.dust.scattered_once(xp, geometry))
         if self.scattering == SINGLE:
             return once
         exchange = self.exchange(xp)
         total = once + exchange.formula(xp, geometry)
-        for highlight, term in self._highlights(exchange):
-            total = total + exchange.sharp(highlight, geometry) * term.formula(xp, geometry)
-            total = total + exchange.blurred(highlight, geometry)
+        for term, highlight in self._below(exchange):
+            if term.leans():
+                total = total + exchange.forward(geometry) * term.formula(xp, geometry)
+            if highlight is not None:
+                total = total + exchange.sharp(highlight, geometry) * term.formula(xp, geometry)
+                total = total + exchange.blurred(highlight, geometry)
         return total
 
     def _layered(self, xp: Array, geometry: Geometry, base: Array, dust: Array) -> Array:
@@ -249,44 +245,108 @@ class DustLayer(BRDF):
         depth = equations.slant_depth(xp, geometry.cos_theta_i, geometry.cos_theta_r, self.tau)
         return equations.dust_layer(xp, base, dust, depth)
 
-    def _highlights(self, exchange: Exchange) -> list[tuple[Highlight, BRDF]]:
-        """The highlights of the base under several scatterings, each with the term that it is."""
-        if self.scattering == SINGLE:
-            return []
-        terms = (term for term in self.base.terms() if term.spread() is not None)
-        return list(zip(exchange.highlights, terms, strict=True))
+    def _told_apart(self) -> list[BRDF | Piece]:
+        """What lies below, piece by piece."""
+        return [piece for term in self.base.terms() for piece in term.pieces()]
+
+    def _below(self, exchange: Exchange) -> list[tuple[BRDF | Piece, Highlight | None]]:
+        """What lies below, piece by piece, with what becomes of those that are highlights under several scatterings."""
+        highlights = iter(exchange.highlights if self.scattering == MULTIPLE else ())
+        return [(term, None if term.spread() is None else next(highlights, None)) for term in self._told_apart()]
 
     def exchange(self, xp: Array) -> Exchange:
         """What the layer adds where light is scattered several times, and its numbers."""
 
         def make() -> Exchange:
-            return Exchange(self.base.terms(), Diffused(xp, self.tau, self.dust.w, self.dust.g))
+            return Exchange(tuple(self._told_apart()), Diffused(xp, self.tau, self.dust.w, self.dust.g))
 
         keep = getattr(xp, "keep", None)  # of namespaces whose numbers are known (`motes.rendering.beforehand`)
         return make() if keep is None else keep(self, make)
 
     def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
-        # Chances as if light left at 45 degrees.
-        through = xp.exp(-equations.slant_depth(xp, cos_theta_i, 0.7, self.tau))
+        return self._components(xp, cos_theta_i, True)
+
+    def _components(self, xp: Array, cos_theta_i: Array, sharp: bool) -> list[Component]:
+        """The components, with or without what goes straight through to a highlight and back."""
+        through = self._through(xp, cos_theta_i)
         exchange, found = self.exchange(xp), []
-        highlights = {id(term): highlight for highlight, term in self._highlights(exchange)}
-        for term in self.base.terms():
-            highlight = highlights.get(id(term))
+        for term, highlight in self._below(exchange):
+            straight = sharp or term.spread() is None
             for piece in term.components(xp, cos_theta_i):
-                formula, share = self._seen(piece, 0.0), through
+                formula, share = (self._seen(piece, 0.0), through) if straight else (_nothing, 0.0)
                 if highlight is not None:
-                    formula = _with_bent(formula, piece, exchange, highlight)
-                    share = share + highlight.own[0] * (1 - share)
+                    formula = _with_bent(formula, piece, partial(exchange.sharp, highlight))
+                    share = share + highlight.own[0] * (1 - through)
+                elif self.scattering == MULTIPLE and term.leans():
+                    formula = _with_bent(formula, piece, exchange.forward)
                 found.append(Component(formula, piece.lobe, piece.importance * share))
         for piece in self.dust.components(xp, cos_theta_i):
             found.append(Component(self._seen(piece, 1.0), piece.lobe, piece.importance * (1 - through)))
-        # What dust scatters is diffuse, as everywhere here, though it is sampled about the mirror direction.
-        for highlight, _ in self._highlights(exchange):
-            lobe, share = VisibleGGXLobe(highlight.roughness), exchange.bent(highlight, cos_theta_i)
-            found.append(Component(_blurred(exchange, highlight), lobe, share, Reflection.DIFFUSE))
         if self.scattering == MULTIPLE:
+            # What dust scatters is diffuse, as everywhere here, though it is sampled about the mirror direction.
+            for highlight in exchange.highlights:
+                lobe, share = VisibleGGXLobe(highlight.roughness), exchange.bent(highlight, cos_theta_i)
+                found.append(Component(_blurred(exchange, highlight), lobe, share, Reflection.DIFFUSE))
             found.append(Component(exchange.formula, CosineLobe(), exchange.importance(cos_theta_i)))
         return found
+
+    def _through(self, xp: Array, cos_theta_i: Array) -> Array:
+        """The chance of going straight through twice, as if light left at 45 degrees."""
+        return xp.exp(-equations.slant_depth(xp, cos_theta_i, 0.7, self.tau))
+
+    def leans(self) -> bool:
+        return True
+
+    def pieces(self) -> tuple[BRDF | Piece, ...]:
+        """The highlights below as far as the layer shows them sharp, and all the rest."""
+        told = self._told_apart()
+        highlights = [self._piece(term) for term in told if term.spread() is not None]
+        if not highlights:
+            return (self,)
+
+        def formula(xp: Array, geometry: Geometry) -> Array:
+            straight: Array = 0.0
+            for term in told:
+                straight = straight if term.spread() is not None else straight + term.formula(xp, geometry)
+            return self._over(xp, geometry, straight)
+
+        def albedo(xp: Array) -> Callable[[Array], Array]:
+            whole, sharp = self.reflecting(xp), [piece.albedo(xp) for piece in highlights]
+            return lambda cosine: xp.maximum(whole(cosine) - sum(of(cosine) for of in sharp), 0.0)
+
+        rest = Piece(formula, albedo, lambda xp, cosine: self._components(xp, cosine, False), None)
+        return (rest, *highlights)
+
+    def _piece(self, highlight: BRDF | Piece) -> Piece:
+        """A highlight below, as far as the layer shows it sharp."""
+
+        def albedo(xp: Array) -> Callable[[Array], Array]:
+            layer, below = self.exchange(xp).layer, highlight.reflecting(xp)
+
+            def of(cosine: Array) -> Array:
+                straight = layer.straight(Slant.of(xp, cosine))
+                return straight * straight * below(cosine)
+
+            return of
+
+        def parts(xp: Array, cosine: Array) -> list[Component]:
+            through = self._through(xp, cosine)
+            return [
+                Component(self._seen(part, 0.0), part.lobe, part.importance * through)
+                for part in highlight.components(xp, cosine)
+            ]
+
+        def formula(xp: Array, geometry: Geometry) -> Array:
+            return self._layered(xp, geometry, highlight.formula(xp, geometry), 0.0)
+
+        return Piece(formula, albedo, parts, highlight.spread())
+
+    def reflected(self, xp: Array, cos_theta_i: Array) -> Array:
+        return self.reflecting(xp)(cos_theta_i)
+
+    def reflecting(self, xp: Array) -> Callable[[Array], Array]:
+        exchange = self.exchange(xp)
+        return exchange.reflected if self.scattering == MULTIPLE else exchange.reflected_once
 
     def standard_lobes(self, xp: Array, values: Self, cos_view: Array) -> list[StandardLobe]:
         # Along the light, whose direction nobody tells, the mean of 1/cos; the darkening towards grazing holds for the viewer at most.
@@ -315,11 +375,15 @@ class DustLayer(BRDF):
         return formula
 
 
+def _nothing(xp: Array, geometry: Geometry) -> Array:
+    return 0.0
+
+
 def _with_bent(
-    seen: Callable[[Array, Geometry], Array], part: Component, exchange: Exchange, highlight: Highlight
+    seen: Callable[[Array, Geometry], Array], part: Component, weight: Callable[[Geometry], Array]
 ) -> Callable[[Array, Geometry], Array]:
-    """The formula of a part of a highlight, with what bent light adds in the same shape."""
-    return lambda xp, geometry: seen(xp, geometry) + exchange.sharp(highlight, geometry) * part.formula(xp, geometry)
+    """The formula of a part of the base, with what bent light adds in the same shape."""
+    return lambda xp, geometry: seen(xp, geometry) + weight(geometry) * part.formula(xp, geometry)
 
 
 def _blurred(exchange: Exchange, highlight: Highlight) -> Callable[[Array, Geometry], Array]:

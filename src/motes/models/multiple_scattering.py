@@ -107,6 +107,10 @@ class Diffused:
         """The share E of light that leaves above after two or more scatterings."""
         return self.hit(slant) * self.xp.maximum(polynomial(self._fitted[0], slant.v), 0.0)
 
+    def returned_once(self, slant: Slant) -> Array:
+        """The share S of light that leaves above after one scattering."""
+        return self.w * self.hit(slant) * self.xp.maximum(polynomial(self._fitted[2], slant.v), 0.0)
+
     def arriving(self, slant: Slant) -> Array:
         """The share of light that arrives below diffusely, t less what comes straight through."""
         return self.hit(slant) * self.xp.maximum(polynomial(self._fitted[1], slant.v), 0.0)
@@ -159,8 +163,12 @@ class Diffused:
     @cached_property
     def mean_arriving(self) -> Array:
         """The share of uniform light that arrives below, straight or diffusely."""
-        straight = 1 - self._moments[0]
-        return self.xp.maximum(straight + self._mean(self._fitted[1], 0), 0.0)
+        return self.xp.maximum(self.mean_straight + self._mean(self._fitted[1], 0), 0.0)
+
+    @property
+    def mean_straight(self) -> Array:
+        """The share of uniform light that meets no particle on its way through."""
+        return 1 - self._moments[0]
 
     @cached_property
     def mean_returned(self) -> Array:

@@ -14,8 +14,8 @@ from motes.directions import HORIZON, Geometry, Vector
 from motes.errors import ParameterError
 from motes.models import BRDF, Component, DustLayer
 from motes.models.components import Reflecting
-from motes.models.dust import MULTIPLE
 from motes.models.exchange import Exchange
+from motes.models.particles import MULTIPLE
 from motes.rendering.mixture import SMALLEST_COSINE, Mixture, columns, lift, lower
 from motes.rendering.surface_plugin import _describe, _kind, _spectrum
 from motes.rendering.textures import Found, Values

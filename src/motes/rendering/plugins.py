@@ -7,7 +7,7 @@ from typing import Any
 
 from motes.errors import ParameterError
 from motes.models import BRDF, DustLayer, OrenNayar, TorranceSparrow, registered
-from motes.models.dust import SINGLE
+from motes.models.particles import SINGLE
 
 
 def names() -> list[str]:
