@@ -145,11 +145,11 @@ class Layout:
     def text(self) -> str:
         """The functions of the driver."""
         loops = self._normal(), self._closing(), self._residuals() if self.robust else ""
-        return "\n\n".join(
-            part.strip("\n")
-            for part in (driver_text.CLEAR, driver_text.LOAD, driver_text.AHEAD, *loops, self._fit())
-            if part
-        )
+        # What misses nothing is kept as it was measured.
+        stored = "" if self.whole else "stored(columns, row, raw, given, block)"
+        load = driver_text.LOAD.replace("<RAW>", "block" if self.whole else "raw").replace("<STORED>", stored)
+        parts = (driver_text.CLEAR, load, driver_text.AHEAD, *loops, self._fit())
+        return "\n\n".join(part.strip("\n") for part in parts if part)
 
     def _normal(self) -> str:
         """``normal_equations``: at a point, added up over the times."""

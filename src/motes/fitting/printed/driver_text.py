@@ -16,14 +16,14 @@ def load_block(source, stride, last, given, samples, times, columns, row, data, 
     for t in range(times):
         at, block = source + 4 * numbers * t, data + 4 * LANES * WIDTH * samples * t
         for first in range(0, numbers - vectors.PIECE + 1, vectors.PIECE):
-            transposed(at, stride, last, first, raw)
+            transposed(at, stride, last, first, <RAW>)
         if numbers >= vectors.PIECE:
-            transposed(at, stride, last, numbers - vectors.PIECE, raw)
+            transposed(at, stride, last, numbers - vectors.PIECE, <RAW>)
         else:
             for k in range(numbers):
                 for n in range(LANES):
-                    store(F, raw, k * LANES + n, load(F, at + min(n, last) * stride, k, "other", 1), "plain", 0, 1)
-        stored(columns, row, raw, given, block)
+                    store(F, <RAW>, k * LANES + n, load(F, at + min(n, last) * stride, k, "other", 1), "plain", 0, 1)
+        <STORED>
         for n in range(given * WIDTH * LANES, samples * WIDTH * LANES):
             store(F, block, n, BLANK, "plain", 0, 1)
 """

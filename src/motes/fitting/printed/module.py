@@ -132,7 +132,7 @@ def module(fit: NormalEquations, coefficients: Coefficients, bounds: Columns) ->
             [Target("constants", "F", list(narrow.where)), Target("wide", "D", list(wide.where))],
         ),
         lane_function("closing_at", [parameters, own, leverage], [Target("constants", "F", list(closing.where))]),
-        each_function("stored", model.data.stored, _raw_places(model, columns), (*_EACH[:2], "raw", "samples"), "data"),
+        *([] if fit.tables is not None else [_stored(model, columns)]),
         sums("opening_sums", fit.opening, narrow)
         if fit.tables is None
         else many_sums("opening_sums", model.data.leaves, fit.opening, columns, narrow),
@@ -168,6 +168,13 @@ def module(fit: NormalEquations, coefficients: Coefficients, bounds: Columns) ->
     header = _HEADER.format(channels=channels, form=fit.form, constants=layout.constants(), run=RUN)
     text = "\n\n\n".join(part.strip("\n") for part in (header, *parts, layout.text()))
     return Printed(text + "\n", tuple(columns.where), fit.form, layout)
+
+
+def _stored(model: Traced, columns: Rows) -> str:
+    """What is kept of the values of a sample."""
+    return each_function(
+        "stored", model.data.stored, _raw_places(model, columns), (*_EACH[:2], "raw", "samples"), "data"
+    )
 
 
 _EACH = ("columns", "row", "constants", "data", "samples")

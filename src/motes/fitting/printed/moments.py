@@ -76,6 +76,17 @@ class Separated:
         fixed = frozenset(f for f in functions if not _varies(f, model))
         return cls(tuple(residuals), tuple(all_rows), slopes, fixed)
 
+    def closing(self, model: Traced) -> tuple[Symbol, ...]:
+        """What is summed at the solution (`Traced.closing`), of the functions; texels that a clamp touches are fitted otherwise."""
+        residuals = [
+            total([coefficient * function for function, coefficient in row.items()]) - value
+            for row, value in zip(self.residuals, model.data.values, strict=True)
+        ]
+        jacobian = [
+            {p: total([q * f for f, q in rows[p].items()]) for p in model.parameters if p in rows} for rows in self.rows
+        ]
+        return model.unclamped().closing(model.clamped(), residuals, jacobian)
+
 
 class Products(Protocol):
     """Sums over the samples of a texel."""
@@ -168,7 +179,7 @@ def moments(model: Traced) -> NormalEquations | None:
         gradient=assembled.gradient,
         matrix=assembled.matrix,
         curving=(),
-        closing=model.unclamped().closing(model.clamped()),  # texels that a clamp touches are fitted otherwise
+        closing=parts.closing(model),
     )
 
 

@@ -149,7 +149,7 @@ def direct(model: Traced) -> NormalEquations:
         slopes = [w * graph.lift(model.robust.sloped(graph, z)) for w, z in zip(weights, sizes, strict=True)]
         bends = [w * graph.lift(model.robust.bent(graph, z)) for w, z in zip(weights, sizes, strict=True)]
         curving = model.products(jacobian, bends)
-    wanted = [lost, *model.gradient(), *model.products(jacobian, slopes)]
+    wanted = [lost, *model.gradient(residuals, jacobian), *model.products(jacobian, slopes)]
     sums = Sums(graph, "sum")
     lost, *rest = [sums.of(symbol) for symbol in wanted]
     objective = 0.5 * unit * lost

@@ -303,7 +303,7 @@ def series(model: Traced, sample: Sampler, bounds: Mapping[Symbol, tuple[float, 
         gradient=assembled.gradient,
         matrix=assembled.matrix,
         curving=(),
-        closing=model.unclamped().closing(model.clamped()),
+        closing=parts.closing(model),
         tables=Tables(
             parameter,
             coordinate.low,

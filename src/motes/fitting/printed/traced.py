@@ -32,6 +32,8 @@ class Data:
         What is kept of a sample that does not exist.
     values, weights
         Of each channel: the transformed value less its offset, 0 where there is none; 1, or 0 where there is none.
+    measured
+        The transformed values with their offsets, where these are not made of `values`.
     """
 
     raw: tuple[Symbol, ...]
@@ -40,6 +42,7 @@ class Data:
     blank: tuple[float, ...]
     values: tuple[Symbol, ...]
     weights: tuple[Symbol, ...]
+    measured: tuple[Symbol, ...] | None = None
 
     @classmethod
     def by_channel(cls, graph: Graph, raw: Sequence[Symbol], targets: Sequence[Symbol], root: Symbol) -> Data:
@@ -63,11 +66,11 @@ class Data:
         return cls(tuple(raw), (*stored, good), (*values, weight), blank, tuple(values), (weight,) * len(raw))
 
     @classmethod
-    def whole(cls, graph: Graph, raw: Sequence[Symbol], targets: Sequence[Symbol], root: Symbol) -> Data:
-        """Nothing is missing; a sample without weight counts for nothing, as its root is 0."""
-        values = [graph.leaf(f"value[{c}]") for c in range(len(raw))]
-        weights = (graph.constant(1.0),) * len(raw)
-        return cls(tuple(raw), tuple(targets), tuple(values), (0.0,) * len(raw), tuple(values), weights)
+    def whole(cls, raw: Sequence[Symbol], measured: Sequence[Symbol], offsets: Sequence[Symbol]) -> Data:
+        """Nothing is missing: what is measured is kept as it is.  A sample without weight counts for nothing, as its root is 0."""
+        values = tuple(value - offset for value, offset in zip(measured, offsets, strict=True))
+        weights = (raw[0].graph.constant(1.0),) * len(raw)
+        return cls(tuple(raw), tuple(raw), tuple(raw), (0.0,) * len(raw), values, weights, tuple(measured))
 
 
 @dataclass(frozen=True)
@@ -143,9 +146,12 @@ class Traced:
                 {p: t * (root * graph.lift(loss.sloped(graph, f, cosine))) for p, t in row.items()}
                 for f, row in zip(trace.outputs, tracing.forward(trace.outputs, parameters), strict=True)
             ]
-        targets = [transformed(y) - offset for y, offset in zip(raw, offsets, strict=True)]
-        kept = Data.whole if whole else Data.by_channel if by_channel else Data.by_sample
-        data = kept(graph, raw, targets, root)
+        measured = [transformed(y) for y in raw]
+        targets = [y - offset for y, offset in zip(measured, offsets, strict=True)]
+        if whole:
+            data = Data.whole(raw, separation.gathered(measured, leaves), offsets)
+        else:
+            data = (Data.by_channel if by_channel else Data.by_sample)(graph, raw, targets, root)
         leaves |= dict.fromkeys(data.leaves, DATA)
         return cls(
             leaves, parameters, tuple(outputs), tuple(slopes), tuple(offsets), data, robust, noise, leverage, by_channel
@@ -158,7 +164,7 @@ class Traced:
     def opening(self) -> list[Symbol]:
         """The square of the transformed values, and 1 for each."""
         data = self.data
-        whole = [v + w * o for v, w, o in zip(data.values, data.weights, self.offsets, strict=True)]
+        whole = data.measured or [v + w * o for v, w, o in zip(data.values, data.weights, self.offsets, strict=True)]
         return [total([v * v for v in whole]), total(data.weights)]
 
     def residuals(self) -> list[Symbol]:
@@ -207,9 +213,9 @@ class Traced:
         outputs = separation.unclamped(self.outputs, tracing.dependence(self.outputs, self.leaves))
         return replace(self, outputs=tuple(outputs), slopes=tuple(tracing.forward(outputs, self.parameters)))
 
-    def gradient(self) -> list[Symbol]:
+    def gradient(self, residuals: Sequence[Symbol], jacobian: Sequence[dict[Symbol, Symbol]]) -> list[Symbol]:
         """The sum over channels of the residual, as the robust function counts it, times its derivatives."""
-        graph, residuals, jacobian = self.graph, self.residuals(), self.jacobian()
+        graph = self.graph
         if self.is_robust:
             slopes = [graph.lift(self.robust.sloped(graph, z)) for z in self.sizes()]
             residuals = [r * slope for r, slope in zip(residuals, slopes, strict=True)]
@@ -218,31 +224,72 @@ class Traced:
             for p in self.parameters
         ]
 
-    def closing(self, clamped: Symbol) -> tuple[Symbol, ...]:
-        """See `motes.fitting.printed.normal.NormalEquations`."""
-        squares = total([r * r for r in self.residuals()])
-        return (squares, self.graph.constant(0.0), *self.gradient(), *self.middle(), clamped)
+    def closing(
+        self,
+        clamped: Symbol,
+        residuals: Sequence[Symbol] | None = None,
+        jacobian: Sequence[dict[Symbol, Symbol]] | None = None,
+    ) -> tuple[Symbol, ...]:
+        """See `motes.fitting.printed.normal.NormalEquations`; residuals and derivatives may be given in another form."""
+        residuals = self.residuals() if residuals is None else residuals
+        jacobian = self.jacobian() if jacobian is None else jacobian
+        squares = total([r * r for r in residuals])
+        gradient = self.gradient(residuals, jacobian)
+        return (squares, self.graph.constant(0.0), *gradient, *self.middle(residuals, jacobian), clamped)
 
-    def middle(self) -> list[Symbol]:
-        """Squared residuals over what their leverage leaves of them, times J J' (packed): the middle of the sandwich (HC3)."""
-        graph, jacobian = self.graph, self.jacobian()
-        weights = []
-        for r, z, row in zip(self.residuals(), self.sizes(), jacobian, strict=True):
-            leverage = total(
-                [
-                    (row[p] * row[q]) * (self.leverage[packed(i, j)] * (1.0 if i == j else 2.0))
-                    for i, p in enumerate(self.parameters)
-                    for j, q in enumerate(self.parameters[: i + 1])
-                    if p in row and q in row
-                ]
-                or [graph.constant(0.0)]
-            )
+    def middle(self, residuals: Sequence[Symbol], jacobian: Sequence[dict[Symbol, Symbol]]) -> list[Symbol]:
+        """Squared residuals over what their leverage leaves of them, times J J' (packed): the middle of the sandwich (HC3).
+
+        It takes most of the last pass.  What all channels share is computed once, leverages as Horner's nested sums, and one division serves
+        several channels.
+        """
+        graph = self.graph
+        order = sorted(
+            range(len(self.parameters)), key=lambda k: len({row.get(self.parameters[k]) for row in jacobian}) == 1
+        )
+        left, wanted = [], []
+        for r, z, row in zip(residuals, self.sizes(), jacobian, strict=True):
+            leverage = self._leverage(row, order)
             if self.is_robust:
                 leverage = leverage * graph.lift(self.robust.bent(graph, z))
                 r = r * graph.lift(self.robust.sloped(graph, z))
-            scaled = r / graph.maximum(1.0 - leverage, LEAST_REMAINDER)
-            weights.append(scaled * scaled)
-        return self.products(jacobian, weights)
+            left.append(graph.maximum(1.0 - leverage, LEAST_REMAINDER))
+            wanted.append(r)
+        scaled = [r * inverse for r, inverse in zip(wanted, inverses(left), strict=True)]
+        return self._weighed(jacobian, [s * s for s in scaled])
+
+    def _leverage(self, row: dict[Symbol, Symbol], order: Sequence[int]) -> Symbol:
+        """J' C J of a channel with `leverage` as C; what stands last in `order` is added up first."""
+        present = [(k, row[self.parameters[k]]) for k in order if self.parameters[k] in row]
+        result = self.graph.constant(0.0)
+        for n, (i, slope) in reversed(list(enumerate(present))):
+            onto = total(
+                [self.leverage[packed(i, i)] * slope]
+                + [(2.0 * self.leverage[packed(i, j)]) * other for j, other in present[n + 1 :]]
+            )
+            result = result + slope * onto
+        return result
+
+    def _weighed(self, jacobian: Sequence[dict[Symbol, Symbol]], weights: Sequence[Symbol]) -> list[Symbol]:
+        """The sum over channels of weight J J', packed, for weights that differ: what channels share is taken out of their sums."""
+        alike = {p for p in self.parameters if len({row.get(p) for row in jacobian}) == 1}
+        found = []
+        for i, p in enumerate(self.parameters):
+            for q in self.parameters[: i + 1]:
+                rows = [(row, w) for row, w in zip(jacobian, weights, strict=True) if p in row and q in row]
+                if not rows:
+                    found.append(self.graph.constant(0.0))
+                    continue
+                inner, outer = (p, q) if q in alike else (q, p)
+                if inner in alike:
+                    sums = rows[0][0][inner] * total([w for _, w in rows])
+                elif outer in alike:
+                    sums = total([row[inner] * w for row, w in rows])
+                else:
+                    found.append(total([(row[inner] * w) * row[outer] for row, w in rows]))
+                    continue
+                found.append(sums * rows[0][0][outer])
+        return found
 
     def products(self, jacobian: Sequence[dict[Symbol, Symbol]], weights: Sequence[Symbol]) -> list[Symbol]:
         """The sum over channels of weight J J', packed."""
@@ -269,6 +316,26 @@ class Traced:
             same = all(w is several[0] for w in several)
             result = result + value * (float(len(several)) * several[0] if same else total(several))
         return result
+
+
+# So many numbers are inverted together: products of more, each of at least `LEAST_REMAINDER`, would leave what single precision holds.
+TOGETHER = 4
+
+
+def inverses(numbers: Sequence[Symbol]) -> list[Symbol]:
+    """1 over each of some numbers between `LEAST_REMAINDER` and about 1, with one division for several."""
+    found: list[Symbol] = []
+    for first in range(0, len(numbers), TOGETHER):
+        part = numbers[first : first + TOGETHER]
+        products = [part[0]]
+        for number in part[1:]:
+            products.append(products[-1] * number)
+        rest, backwards = 1.0 / products[-1], []
+        for k in range(len(part) - 1, 0, -1):
+            backwards.append(rest * products[k - 1])
+            rest = rest * part[k]
+        found += [rest, *reversed(backwards)]
+    return found
 
 
 def total(parts: Sequence[Symbol]) -> Symbol:
