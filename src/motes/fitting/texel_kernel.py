@@ -39,6 +39,8 @@ TASK = (
 )  # texels of one time that a thread takes; under trends fewer, so that all threads have work to the end
 # Blocks with at most so many texels left hand them over to blocks of such texels; not worth it for few.
 STRAGGLERS, FEW = LANES // 4, 8 * LANES
+# The fewest times by which a fit of trends makes its first steps.
+FEWEST_TIMES = 4
 # Sums in float32 are rounded, from one point to the next, by about this share of their terms.
 ROUNDING = 3e-7
 
@@ -189,6 +191,7 @@ class Kernel:
                 *(part[:, 0] for part in (facts.span, facts.least, facts.most, facts.rest)),
             ]
         )
+        self.every = 1 if equations.tables is None else _every(fit)
         self.items = printed.layout.room(self.times, self.given, self.samples)
 
     @cached_property
@@ -240,6 +243,7 @@ class Kernel:
         """
         raw = Raw.at(points, self.size * (self.size + 1) // 2 if covariance else 0)
         active = np.arange(len(data))
+        every = self.every if limit == MAX_ITERATIONS else 1
         while len(active):
             whole = len(active) == len(data)
             leave = STRAGGLERS if len(active) > FEW else 0
@@ -252,10 +256,12 @@ class Kernel:
                 limit=limit,
                 reduction=reduction,
                 leave=leave,
+                every=every,
                 close=1 if close else 0,
             )
             if not whole:
                 raw.replace(active, part)
+            every = 1
             active = np.flatnonzero((raw.state("running") > 0) & (raw.state("iterations") < limit))
         return raw
 
@@ -282,6 +288,7 @@ class Kernel:
         limit: int = 0,
         reduction: float | None = None,
         leave: int = 0,
+        every: int = 1,
         close: int = 0,
         out: Singles | None = None,
     ) -> None:
@@ -301,12 +308,20 @@ class Kernel:
                 at(data) + 4 * first * given, self.times, self.given, self.samples, at(self.columns), self.columns.shape[1],
                 at(self.basis), at(box), last - first, at(raw.points) + 8 * first * size, at(raw.states) + 8 * first * len(STATE),
                 at(holds) + 8 * first * held_step, held_step, at(units) + 8 * first * noise_step, noise_step,
-                limit, leave, close, at(raw.values) + 4 * first * size, at(raw.errors) + 4 * first * size, at(raw.codes) + first * size,
+                limit, leave, every, close, at(raw.values) + 4 * first * size, at(raw.errors) + 4 * first * size, at(raw.codes) + first * size,
                 at(raw.covariances) + 4 * first * triangle if triangle else 0,
                 0 if out is None else at(out) + 4 * first * given, at(room),
             )  # fmt: skip
 
         workers.spread(-(-len(data) // together), work, lambda: np.empty(self.items))
+
+
+def _every(fit: TexelSetup) -> int:
+    """A fit of trends makes its first steps by every so manieth time: by one more than a trend has coefficients, at least."""
+    if not fit.parts:
+        return 1
+    needed = max(FEWEST_TIMES, 1 + max(len(KINDS[part.kind].coefficients) for part in fit.parts))
+    return max(1, (fit.times or 1) // needed)
 
 
 def _coefficients(fit: TexelSetup) -> Coefficients:

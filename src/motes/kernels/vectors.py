@@ -25,18 +25,24 @@ from numba.core import cgutils, types
 from motes.kernels.vector_functions import DOUBLE, FLAGS, FLOAT, SCALARS, Lanes
 
 _WORD = ir.IntType(64)
+TOGETHER = 8  # lanes for which a program over rows is run at a time: a vector of AVX-512 in float64
 LINE = 64  # bytes of a cache line
 PIECE = 8  # numbers that `transposed` reads at once from a lane's memory
 Intrinsic = tuple[Any, Callable[..., Any]]
 
 
 def rows(lanes: int, scalar: str, program: str, *arguments: Any) -> Intrinsic:
-    """Signature and code of an intrinsic that runs `program` once; its arguments are the addresses that the program names, in its first line."""
+    """Signature and code of an intrinsic that runs `program` once; its arguments are the addresses that the program names, in its first line.
+
+    It runs for `TOGETHER` lanes after the others, whose numbers are in the processor's registers then and not on the stack.
+    """
     names, lines = _parsed(program)
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        writer = _Writer(builder, lanes, scalar, dict(zip(names, args, strict=True)))
-        writer.run(lines, {})
+        writer = _Writer(builder, min(lanes, TOGETHER), scalar, dict(zip(names, args, strict=True)))
+        zero, step = ir.Constant(_WORD, 0), ir.Constant(_WORD, writer.lanes)
+        with cgutils.for_range_slice(builder, zero, ir.Constant(_WORD, lanes), step, _WORD) as (lane, _):
+            writer.run(lines, {"lane": lane})
         return context.get_dummy_value()
 
     return types.void(*arguments), generate
@@ -94,7 +100,7 @@ def sums(lanes: int, run: int, count: int, step: int, program: str, *arguments: 
 
 
 def transposed(lanes: int, source: Any, stride: Any, last: Any, first: Any, target: Any) -> Intrinsic:
-    """Signature and code of an intrinsic that brings `PIECE` numbers of each lane into rows of lanes.
+    """Signature and code of an intrinsic that brings `PIECE` numbers of each of 16 lanes into rows of lanes.
 
     Arguments: the address of the first lane's numbers (float32), the bytes from a lane's to the next lane's, the last lane that there is (those beyond
     repeat it), the position of the first number, and the address of the rows, of which those at `first` and beyond are written.
@@ -111,17 +117,8 @@ def transposed(lanes: int, source: Any, stride: Any, last: Any, first: Any, targ
             number = builder.select(builder.icmp_signed("<", number, end), number, end)
             place = builder.inttoptr(builder.add(begin, builder.mul(number, step)), piece.as_pointer())
             vectors.append(builder.load(place, align=4))
-        # Interleaving the first half with the second log2(lanes) times turns rows into columns.
-        while len(vectors) > 1:
-            half = len(vectors) // 2
-            vectors = [_interleaved(builder, a, b) for a, b in zip(vectors[:half], vectors[half:], strict=True)]
-        whole = vectors[0]  # number 0 of all lanes, number 1 of all lanes, ...
         row = ir.VectorType(FLOAT, lanes)
-        for k in range(PIECE):
-            mask = ir.Constant(
-                ir.VectorType(ir.IntType(32), lanes), [ir.Constant(ir.IntType(32), k * lanes + n) for n in range(lanes)]
-            )
-            value = builder.shuffle_vector(whole, ir.Constant(whole.type, ir.Undefined), mask)
+        for k, value in enumerate(_columns(builder, vectors)):
             at = builder.mul(builder.add(start, ir.Constant(_WORD, k)), ir.Constant(_WORD, 4 * lanes))
             builder.store(value, builder.inttoptr(builder.add(room, at), row.as_pointer()), align=4)
         return context.get_dummy_value()
@@ -129,11 +126,29 @@ def transposed(lanes: int, source: Any, stride: Any, last: Any, first: Any, targ
     return types.void(source, stride, last, first, target), generate
 
 
-def _interleaved(builder: Any, a: Any, b: Any) -> Any:
-    size = a.type.count
-    order = [n for k in range(size) for n in (k, size + k)]
-    mask = ir.Constant(ir.VectorType(ir.IntType(32), 2 * size), [ir.Constant(ir.IntType(32), n) for n in order])
-    return builder.shuffle_vector(a, b, mask)
+def _columns(builder: Any, rows: list[Any]) -> list[Any]:
+    """The columns of twice `PIECE` rows of `PIECE` numbers, in shuffles that processors have: first within quarters of four numbers, then of these."""
+    size, quarters = 2 * PIECE, PIECE // 2
+
+    def picked(a: Any, b: Any, order: list[int]) -> Any:
+        mask = ir.Constant(ir.VectorType(ir.IntType(32), len(order)), [ir.Constant(ir.IntType(32), n) for n in order])
+        return builder.shuffle_vector(a, b, mask)
+
+    def within(a: Any, b: Any, *places: int) -> Any:
+        return picked(a, b, [4 * q + (n if n < 4 else n - 4 + size) for q in range(quarters) for n in places])
+
+    # Rows k and k + 8 are one vector: numbers 0-3 and 4-7 of the one, and of the other.
+    both = [picked(a, b, list(range(size))) for a, b in zip(rows[:PIECE], rows[PIECE:], strict=True)]
+    fours = []
+    for k in (0, 4):  # four rows by four numbers, in each quarter
+        low = [within(both[k + n], both[k + n + 1], 0, 4, 1, 5) for n in (0, 2)]
+        high = [within(both[k + n], both[k + n + 1], 2, 6, 3, 7) for n in (0, 2)]
+        fours.append([within(*pair, *places) for pair in (low, high) for places in ((0, 1, 4, 5), (2, 3, 6, 7))])
+    found = []
+    for first in (0, 4):
+        order = [quarter + n for quarter in (first, size + first, 8 + first, size + 8 + first) for n in range(4)]
+        found += [picked(a, b, order) for a, b in zip(*fours, strict=True)]
+    return found
 
 
 def _parsed(program: str) -> tuple[list[str], list[list[str]]]:
@@ -192,9 +207,14 @@ class _Writer(Lanes):
         at = builder.add(self.addresses[address], builder.mul(total, ir.Constant(_WORD, size)))
         return builder.inttoptr(at, kind.as_pointer())
 
+    @staticmethod
+    def _of_lanes(index: str, indices: Mapping[str, Any]) -> str:
+        """The item of a row at which the lanes begin for which the program is run."""
+        return f"{index}+lane" if "lane" in indices else index
+
     def _row(self, address: str, scalar: str, index: str, indices: Mapping[str, Any]) -> Any:
         kind = ir.VectorType(SCALARS[scalar], self.lanes)
-        place = self.place(address, scalar, index, indices, kind)
+        place = self.place(address, scalar, self._of_lanes(index, indices), indices, kind)
         return self._cast(self.builder.load(place, align=4 if scalar == "F" else 8), scalar, self.scalar)
 
     def _splat(self, address: str, scalar: str, index: str, indices: Mapping[str, Any]) -> Any:
@@ -211,7 +231,7 @@ class _Writer(Lanes):
             value = builder.select(value, self.number(1.0), self.number(0.0))
         value = self._cast(value, self.scalar, scalar)
         align = 4 if scalar == "F" else 8
-        place = self.place(address, scalar, index, indices, value.type)
+        place = self.place(address, scalar, self._of_lanes(index, indices), indices, value.type)
         if how == "add":
             value = builder.fadd(builder.load(place, align=align), value, flags=FLAGS)
         builder.store(value, place, align=align)

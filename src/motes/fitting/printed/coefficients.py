@@ -5,6 +5,7 @@ The parameters are functions of a texel's vector of coefficients; the normal equ
 
 from __future__ import annotations
 
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from motes.fitting.printed.formulas import packed
@@ -47,38 +48,44 @@ class Coefficients:
 
 
 class _Chain:
-    """Leaves for the slopes of the values by the coefficients that are not 0."""
+    """The slopes of the values by the coefficients: leaves for those that differ, numbers as they are.
 
-    def __init__(self, coefficients: Coefficients) -> None:
-        self.local, self.size = len(coefficients.values), len(coefficients.leaves)
-        self.tangents = tracing.forward(coefficients.values, coefficients.leaves)
+    `apart` are places in a packed matrix of the parameters that are 0: two channels' own parameters have no sample in common.
+    """
+
+    def __init__(self, coefficients: Coefficients, apart: Collection[int]) -> None:
+        self.local, self.size, self.apart = len(coefficients.values), len(coefficients.leaves), apart
         self.graph = Graph()
-        self.leaves = [self.graph.leaf(f"slope[{k}]") for k in range(self.local * self.size)]
-        self.slopes: list[dict[int, Symbol]] = [
-            {
-                k: self.leaves[i * self.size + k]
-                for k, leaf in enumerate(coefficients.leaves)
-                if leaf in self.tangents[i]
-            }
-            for i in range(self.local)
-        ]
+        self.rows: dict[Symbol, Symbol] = {}  # the leaf that stands for a slope
+        self.slopes: list[dict[int, Symbol]] = []
+        for tangents in tracing.forward(coefficients.values, coefficients.leaves):
+            own = {k: tangents[leaf] for k, leaf in enumerate(coefficients.leaves) if leaf in tangents}
+            self.slopes.append({k: self._slope(tangent) for k, tangent in own.items()})
+        self.leaves = list(self.rows.values())
+
+    def _slope(self, tangent: Symbol) -> Symbol:
+        if tangent.op == "constant":
+            return self.graph.constant(tangent.value)
+        return self.rows.setdefault(tangent, self.graph.leaf(f"slope[{len(self.rows)}]"))
+
+    def matrix(self, leaves: Sequence[Symbol]) -> list[Symbol]:
+        """The packed matrix of the parameters, with its zeros."""
+        return [self.graph.constant(0.0) if k in self.apart else leaf for k, leaf in enumerate(leaves)]
 
     def leaves_of(self, name: str, count: int) -> list[Symbol]:
         return [self.graph.leaf(f"{name}[{k}]") for k in range(count)]
 
 
-def trend_functions(coefficients: Coefficients) -> list[str]:
+def trend_functions(coefficients: Coefficients, apart: Collection[int]) -> list[str]:
     """``trends_at`` (parameters at a time, and their slopes), ``chain_rule`` (normal equations to the coefficients'), ``carry`` (a matrix
     likewise) and ``leverage_at`` (a
-    covariance of the coefficients to that of the parameters)."""
-    chain = _Chain(coefficients)
-    zero = coefficients.graph.constant(0.0)
-    slopes = [row.get(leaf, zero) for row in chain.tangents for leaf in coefficients.leaves]
+    covariance of the coefficients to that of the parameters); `apart` says where all matrices of the parameters are 0 (packed)."""
+    chain = _Chain(coefficients, apart)
     x = Rows("x", "D").put(coefficients.leaves)
     first = lane_function(
         "trends_at",
         [x, Uniform("basis", coefficients.basis)],
-        [Target("parameters", "D", coefficients.values), Target("slopes", "D", slopes)],
+        [Target("parameters", "D", coefficients.values), Target("slopes", "D", list(chain.rows))],
     )
     return [first, _chain_rule(chain), _carry(chain), _leverage(chain)]
 
@@ -89,7 +96,7 @@ def _chain_rule(chain: _Chain) -> str:
     for i, row in enumerate(chain.slopes):
         for k, slope in row.items():
             gradient[k] = gradient[k] + slope * normal[2 + i]
-    matrix = _carried(chain, normal[2 + chain.local :])
+    matrix = _carried(chain, chain.matrix(normal[2 + chain.local :]))
     sources = [Rows("normal", "D").put(normal), Rows("slopes", "D").put(chain.leaves)]
     return lane_function("chain_rule", sources, [Target("total", "D", [*normal[:2], *gradient, *matrix])], add=True)
 
@@ -97,7 +104,7 @@ def _chain_rule(chain: _Chain) -> str:
 def _carry(chain: _Chain) -> str:
     matrix = chain.leaves_of("matrix", chain.local * (chain.local + 1) // 2)
     sources = [Rows("matrix", "D").put(matrix), Rows("slopes", "D").put(chain.leaves)]
-    return lane_function("carry", sources, [Target("total", "D", _carried(chain, matrix))], add=True)
+    return lane_function("carry", sources, [Target("total", "D", _carried(chain, chain.matrix(matrix)))], add=True)
 
 
 def _carried(chain: _Chain, matrix: list[Symbol]) -> list[Symbol]:

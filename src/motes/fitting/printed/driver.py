@@ -33,6 +33,8 @@ STATE = (
 NO_VERDICT = 255
 # After so many iterations a block in which few texels still run leaves them to a block of such texels.
 LONG_RUN = 6
+# Steps that a fit of many times makes by a few of them.
+FIRST_STEPS = 2
 # Lines of the next block's memory that are asked for at a time: a processor keeps about so many requests.
 LINES_AHEAD = 16
 
@@ -134,7 +136,7 @@ class Layout:
             f"NARROW, OPENING, SUMS, BASIS, ROWS, STATE = {self.narrow}, {self.opening}, {self.sums}, {self.basis}, {self.rows}, {len(STATE)}",
             f"TRIANGLE, LOCAL_TRIANGLE = {self.triangle}, {self.local_triangle}",
             *(f"{name.upper()} = {SCALARS.index(name)}" for name in ("running", "ending", "brightness")),
-            f"NONE, ROUNDS, LONG, LINES = {NO_VERDICT}, {ROUNDS}, {LONG_RUN}, {LINES_AHEAD}",
+            f"NONE, ROUNDS, LONG, FIRST, LINES = {NO_VERDICT}, {ROUNDS}, {LONG_RUN}, {FIRST_STEPS}, {LINES_AHEAD}",
         ]
         start = 0
         for name, rows in (*self.places().items(), ("opened", 0)):
@@ -148,7 +150,7 @@ class Layout:
         # What misses nothing is kept as it was measured.
         stored = "" if self.whole else "stored(columns, row, raw, given, block)"
         load = driver_text.LOAD.replace("<RAW>", "block" if self.whole else "raw").replace("<STORED>", stored)
-        parts = (driver_text.CLEAR, load, driver_text.AHEAD, *loops, self._fit())
+        parts = (driver_text.CLEAR, load, driver_text.AHEAD, driver_text.STEP, *loops, self._fit())
         return "\n\n".join(part.strip("\n") for part in parts if part)
 
     def _normal(self) -> str:
@@ -228,7 +230,8 @@ class Layout:
     def _fit(self) -> str:
         text = driver_text.FIT
         for key, value in {
-            "SIGNATURE": ", ".join(["int64"] * 24),
+            "SIGNATURE": ", ".join(["int64"] * 25),
+            "FEW_TIMES": "" if self.static else driver_text.FEW_TIMES,
             "WHOLE": driver_text.WHOLE if self.whole else "",
             "PARTIAL": driver_text.PARTIAL if self.by_sample and self.channels > 1 else "",
             "RESIDUALS": driver_text.RESIDUALS if self.robust else "",

@@ -40,11 +40,11 @@ def ahead(address, end):
 
 PASS = """
 @part
-def {name}(x, room, own, columns, row, basis, times, samples, data{total}):
+def {name}(x, room, own, columns, row, basis, times, every, samples, data{total}):
     parameters, slopes, constants, wide = room + AT_PARAMETERS, room + AT_SLOPES, room + AT_CONSTANTS, room + AT_WIDE
     summed, normal, shared = room + AT_SUMMED, room + AT_NORMAL, basis + 8 * BASIS * times
     {before}
-    for t in range(times):
+    for t in range(0, times, every):
         {body}
 """
 
@@ -71,7 +71,7 @@ def inverse_of(curvature, among, blurred, inverse, now_blurred):
 
 
 @part
-def closing(x, room, own, box, columns, row, basis, times, samples, data, roughly):
+def closing(x, room, own, box, columns, row, basis, times, samples, data, roughly, whole):
     parameters, slopes, constants, wide = room + AT_PARAMETERS, room + AT_SLOPES, room + AT_CONSTANTS, room + AT_WIDE
     normal, curved, leverage, middle = room + AT_NORMAL, room + AT_CURVED, room + AT_LEVERAGE, room + AT_MIDDLE
     stand, among, blurred, now_blurred = room + AT_STAND, room + AT_AMONG, room + AT_BLURRED, room + AT_NOW_BLURRED
@@ -104,9 +104,11 @@ def closing(x, room, own, box, columns, row, basis, times, samples, data, roughl
     polished(x, objective, ending, bright, middle, gradient, inverse, among, box, point)
     for k in range(SIZE):
         column_of(inverse, k, column)
-        row_at(column, inverse, spread, unit)
-        for n in range((k + 1) * LANES):
-            store(D, covariance, k * (k + 1) // 2 * LANES + n, load(D, unit, n, "other", 1), "plain", 0, 1)
+        if whole:
+            row_at(column, inverse, spread, unit)
+            for n in range(k * LANES):
+                store(D, covariance, k * (k + 1) // 2 * LANES + n, load(D, unit, n, "other", 1), "plain", 0, 1)
+        variance_at(column, spread, covariance + 8 * LANES * (k * (k + 1) // 2 + k))
     noise_at(curvature, spread, among, noise)
     wider_blurred, some = blurred, False
     clear(relaxed, SIZE)
@@ -130,11 +132,39 @@ def closing(x, room, own, box, columns, row, basis, times, samples, data, roughl
         wider_blurred = room + AT_WIDER_BLURRED
         for k in range(SIZE):
             column_of(wider, k, column)
-            row_at(column, wider, spread, unit)
-            for n in range(LANES):
-                store(D, relaxed, k * LANES + n, load(D, unit, k * LANES + n, "other", 1), "plain", 0, 1)
+            variance_at(column, spread, relaxed + 8 * LANES * k)
     errors_at(point, stand, covariance, relaxed, loose, blurred, wider_blurred, box, found)
 """
+
+STEP = """
+@part
+def proposed(state, box, own, room, trial):
+    stops, next_stops = room + AT_STOPS, room + AT_NEXT_STOPS
+    held(state, box, own, stops)
+    for again in range(ROUNDS):
+        bounded_step(state, box, stops, next_stops)
+        stops, next_stops = next_stops, stops
+        leaving = D(0.0)
+        for n in range(LANES):
+            leaving += load(D, stops, 2 * SIZE * LANES + n, "other", 1)
+        if not leaving > D(0.0):
+            break
+    proposal(state, box, stops, trial)
+"""
+
+# Some steps by a few of the times, to where those have their minimum, about; from there the fit goes on by all of them.
+FEW_TIMES = """if every > 1:
+            normal_equations(state, room, own, columns, row, basis, times, every, samples, data, state + 8 * LANES * SIZE)
+            for iteration in range(FIRST):
+                proposed(state, box, own, room, trial)
+                coming = ahead(coming, end)
+                normal_equations(trial, room, own, columns, row, basis, times, every, samples, data, fresh)
+                judged(state, box, trial, fresh, next_state)
+                state, next_state = next_state, state
+            for n in range(LANES):
+                if load(D, state, (after + ENDING) * LANES + n, "other", 1) > D(0.0):
+                    store(D, state, (after + RUNNING) * LANES + n, D(1.0), "plain", 0, 1)
+                    store(D, state, (after + ENDING) * LANES + n, D(0.0), "plain", 0, 1)"""
 
 # Whether a texel has a sample with some of its channels only, which sums over whole samples leave out.
 PARTIAL = """if running > D(0.0) and used < whole:
@@ -160,7 +190,7 @@ WHOLE = """if not brightness - brightness == D(0.0):
 
 RESIDUALS = """if out != 0:
             block = out + 4 * LANES * CHANNELS * given * times * (first // LANES)
-            residuals(state, room, own, columns, row, basis, times, samples, data, given, block)"""
+            residuals(state, room, own, columns, row, basis, times, 1, samples, data, given, block)"""
 
 # Addresses are integers.  `values` are float32 (texel, time, sample, channel); `columns` rows of `row` items; `points` and `held` (texel,
 # coefficient), `noise` (texel,) and `states` (texel, STATE) float64, of which `held` and `noise` may be the same for all (a step of 0); `box`
@@ -171,7 +201,7 @@ FIT = """
 @numba.njit("void(<SIGNATURE>)", cache=True, nogil=True, **options)
 def fit(
     values, times, given, samples, columns, row, basis, box, texels, points, states, held_at, held_step, noise, noise_step,
-    limit, leave, close, found, errors, codes, covariances, out, room,
+    limit, leave, every, close, found, errors, codes, covariances, out, room,
 ):
     data = room + AT_OPENED + 8 * LANES * OPENING * times
     raw = data + 4 * LANES * WIDTH * samples * times
@@ -180,7 +210,6 @@ def fit(
     after = SIZE + ROWS
     for first in range(0, texels, LANES):
         state, next_state = room + AT_STATE, room + AT_NEXT_STATE
-        stops, next_stops = room + AT_STOPS, room + AT_NEXT_STOPS
         count = min(LANES, texels - first)
         stride = 4 * times * given * CHANNELS
         load_block(values + first * stride, stride, count - 1, given, samples, times, columns, row, data, raw)
@@ -215,7 +244,8 @@ def fit(
                 store(D, states, texel * STATE + 6, used, "plain", 0, 1)
                 store(D, states, texel * STATE + 7, brightness, "plain", 0, 1)
         coming = ahead(coming, end)
-        normal_equations(state, room, own, columns, row, basis, times, samples, data, state + 8 * LANES * SIZE)
+        <FEW_TIMES>
+        normal_equations(state, room, own, columns, row, basis, times, 1, samples, data, state + 8 * LANES * SIZE)
         for iteration in range(limit):
             running = 0
             for n in range(LANES):
@@ -224,17 +254,7 @@ def fit(
             if running <= few:
                 break
             coming = ahead(coming, end)
-            held(state, box, own, stops)
-            for again in range(ROUNDS):
-                bounded_step(state, box, stops, next_stops)
-                stops, next_stops = next_stops, stops
-                leaving = D(0.0)
-                for n in range(LANES):
-                    leaving += load(D, stops, 2 * SIZE * LANES + n, "other", 1)
-                if not leaving > D(0.0):
-                    break
-            coming = ahead(coming, end)
-            proposal(state, box, stops, trial)
+            proposed(state, box, own, room, trial)
             going = 0
             for n in range(LANES):
                 on = load(D, state, (after + RUNNING) * LANES + n, "other", 1) > D(0.0)
@@ -244,7 +264,7 @@ def fit(
                 state, next_state = next_state, state
                 break
             coming = ahead(coming, end)
-            normal_equations(trial, room, own, columns, row, basis, times, samples, data, fresh)
+            normal_equations(trial, room, own, columns, row, basis, times, 1, samples, data, fresh)
             coming = ahead(coming, end)
             judged(state, box, trial, fresh, next_state)
             state, next_state = next_state, state
@@ -261,10 +281,10 @@ def fit(
         if close == 1:  # what the data do not see goes to its default
             rest_at(state, state + 8 * LANES * (SIZE + 2 + SIZE), state + 8 * LANES * (after + BRIGHTNESS), box, trial)
             if any_of(trial + 8 * LANES * SIZE):
-                normal_equations(trial, room, own, columns, row, basis, times, samples, data, fresh)
+                normal_equations(trial, room, own, columns, row, basis, times, 1, samples, data, fresh)
                 rested(state, trial, fresh, next_state)
                 state, next_state = next_state, state
-        closing(state, room, own, box, columns, row, basis, times, samples, data, close == 2)
+        closing(state, room, own, box, columns, row, basis, times, samples, data, close == 2, covariances != 0)
         middle, results, noise_here = room + AT_MIDDLE, room + AT_FOUND, room + AT_NOISE
         for n in range(count):
             texel = first + n

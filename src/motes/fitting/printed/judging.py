@@ -93,6 +93,11 @@ FUNCTIONS: dict[str, tuple[Callable[..., Any], tuple[str, ...]]] = {
         lambda algebra, column, inverse, middle: algebra.times(inverse, algebra.times(middle, column)),
         ("result",),
     ),
+    # Its element on the diagonal, alone.
+    "variance_at": (
+        lambda algebra, column, middle: algebra.total(column * algebra.times(middle, column)),
+        ("variance",),
+    ),
     "noise_at": (steps.noise_of, ("noise",)),
     "push_at": (steps.pushed_out, ("firm",)),
     "errors_at": (_errors, ("found",)),

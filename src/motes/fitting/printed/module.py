@@ -141,7 +141,7 @@ def module(fit: NormalEquations, coefficients: Coefficients, bounds: Columns) ->
         else lane_function("series_at", [parameters, opened, shared], [Target("summed", "D", fit.tables.values)]),
         sums("closing_sums", fit.closing, closing),
         lane_function("normal_at", [wide, own, opened, summed, shared], [Target("normal", "D", algebra)]),
-        *([] if coefficients.static else trend_functions(coefficients)),
+        *([] if coefficients.static else trend_functions(coefficients, _apart(fit))),
         *step_functions(size, fit.form),
         *verdict_functions(bounds.signed[:, 0], bounds.squared[:, 0], model.is_robust),
     ]
@@ -168,6 +168,13 @@ def module(fit: NormalEquations, coefficients: Coefficients, bounds: Columns) ->
     header = _HEADER.format(channels=channels, form=fit.form, constants=layout.constants(), run=RUN)
     text = "\n\n\n".join(part.strip("\n") for part in (header, *parts, layout.text()))
     return Printed(text + "\n", tuple(columns.where), fit.form, layout)
+
+
+def _apart(fit: NormalEquations) -> set[int]:
+    """Where in a packed matrix of the parameters nothing is ever summed."""
+    first = 2 + len(fit.gradient)
+    matrices = [fit.matrix, fit.closing[first : first + len(fit.matrix)], *([fit.curving] if fit.curving else [])]
+    return {k for k, symbols in enumerate(zip(*matrices, strict=True)) if all(s.is_constant(0.0) for s in symbols)}
 
 
 def _stored(model: Traced, columns: Rows) -> str:
