@@ -77,6 +77,17 @@ CASES: dict[str, tuple[Description, BRDF | None]] = {
         {"type": "motes_dusty", "base": {"type": "principled", "roughness": 0.4}, "g": 0.7, "tau": 0.1},
         None,
     ),
+    "multiple_over_gold": (
+        {
+            "type": "motes_dusty",
+            "base": {"type": "roughconductor", "material": "Au", "alpha": 0.2},
+            "w": 0.95,
+            "g": 0.7,
+            "tau": 0.4,
+            "scattering": "multiple",
+        },
+        None,
+    ),
     "dust_over_rough_glass": (
         {"type": "motes_dusty", "base": {"type": "roughdielectric", "alpha": 0.4}, "g": 0.3, "tau": 0.1},
         None,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, cast, final
 
@@ -13,10 +13,11 @@ from motes.arrays import Array, Columns
 from motes.directions import HORIZON, Geometry, Vector
 from motes.errors import ParameterError
 from motes.models import BRDF, Component, DustLayer
-from motes.models.components import Reflecting
+from motes.models.components import Piece, Reflecting
 from motes.models.exchange import Exchange
 from motes.models.particles import MULTIPLE
-from motes.rendering.mixture import SMALLEST_COSINE, Mixture, columns, lift, lower
+from motes.rendering.foreign_highlights import facets, measure
+from motes.rendering.mixture import SMALLEST_COSINE, Mixture, columns, known, lift, lower
 from motes.rendering.surface_plugin import _describe, _kind, _spectrum
 from motes.rendering.textures import Found, Values
 
@@ -27,7 +28,12 @@ _ASSUMED_ALBEDO = 0.5
 @final
 @dataclass(frozen=True, eq=False)
 class _Nested(BRDF):
-    """The place of the nested BSDF in the model of the layer."""
+    """The place of the nested BSDF in the model of the layer, with its highlight as it was measured."""
+
+    highlight: Piece | None = None
+
+    def pieces(self) -> tuple[BRDF | Piece, ...]:
+        return (self,) if self.highlight is None else (self, self.highlight)
 
     def formula(self, xp: Array, geometry: Geometry) -> Array:
         return 0.0
@@ -65,7 +71,8 @@ def layer_class(mi: Any) -> type:
     class DustyLayer(mi.BSDF):
         """T f_base + (1 - T) f_dust on the front side; light that crosses the layer once, into glass, keeps its share.
 
-        With ``scattering="multiple"`` all orders are added, and light between the dust and the nested BSDF, to which it is diffuse.
+        With ``scattering="multiple"`` all orders are added, and light between the dust and the nested BSDF.  Its highlight is measured and
+        blurred (`motes.rendering.foreign_highlights`); to all else of it that light is diffuse.
         """
 
         def __init__(self, properties: Any, scattering: str) -> None:
@@ -82,19 +89,37 @@ def layer_class(mi: Any) -> type:
             values.read_parameters(properties, ("scattering",))
             mi.BSDF.__init__(self, properties)
             self.base, self.values = base, values
+            self._measure()
             count = self.base.component_count()
             self.dust_flag = flags.DiffuseReflection | flags.FrontSide | flags.SpatiallyVarying
             self.m_components = [*(self.base.flags(k) for k in range(count)), self.dust_flag]
             self.m_flags = self.base.flags() | self.dust_flag
             self.has_delta = bool(self.base.flags() & flags.Delta)
 
+        def _measure(self) -> None:
+            """Look for a highlight of the nested BSDF."""
+            scattering = cast(DustLayer, self.values.template).scattering
+            self.measured = measure(mi, self.base) if scattering == MULTIPLE else None
+            if self.measured is not None:
+                mean = facets(self.measured.shares.mean(1).tolist(), self.measured.alpha)
+                self.values.template = DustLayer(_Nested(mean), scattering=scattering)
+            self.values.look()
+
         def _layer(self, si: Any, active: Any) -> _Layer:
-            found = self.values.models(si, active)
-            albedo: Any = 0.0
+            found, measured = self.values.models(si, active), self.measured
+            below: list[Reflecting] = []
             if cast(DustLayer, found.model).scattering == MULTIPLE:
-                told = self.base.eval_diffuse_reflectance(si, active)
-                albedo = dr.clip(mi.unpolarized_spectrum(told), 0.0, 1.0)
-            return _Layer(found, si.wi, albedo)
+                told = mi.unpolarized_spectrum(self.base.eval_diffuse_reflectance(si, active))
+                if measured is not None:
+                    told = told * self._channels(measured.diffuse)
+                    shares = [known(found.xp, self._channels(share), share) for share in measured.shares]
+                    below.append(facets(shares, measured.alpha))
+                below.append(_Lit(lift(found.xp, dr.clip(told, 0.0, 1.0))))
+            return _Layer(found, si.wi, below)
+
+        def _channels(self, values: Array) -> Any:
+            """A number, or a number for each of red, green and blue, as Mitsuba has it."""
+            return float(values[0]) if len(values) == 1 else mi.Color3f(*values.tolist())
 
         def _enabled(self, context: Any) -> tuple[bool, bool]:
             """Whether the context asks for the base, and for the dust."""
@@ -178,7 +203,7 @@ def layer_class(mi: Any) -> type:
                 callback.put(name, texture, mi.ParamFlags.Differentiable)
 
         def parameters_changed(self, keys: list[str]) -> None:
-            self.values.look()
+            self._measure()
 
         def to_string(self) -> str:
             return f"{_describe(self.values)[:-2]},\n  base = {self.base!s}\n]"
@@ -189,11 +214,11 @@ def layer_class(mi: Any) -> type:
 class _Layer:
     """The dust where rays meet the surface: how much it lets through, what it scatters, and where it is sampled."""
 
-    def __init__(self, found: Found, wi: Any, albedo: Array) -> None:
+    def __init__(self, found: Found, wi: Any, below: Sequence[Reflecting]) -> None:
         import drjit as dr
 
         self.xp, self.model, self.wi = found.xp, cast(DustLayer, found.model), wi  # the template of this plugin
-        self.multiple, self._albedo = self.model.scattering == MULTIPLE, lift(self.xp, albedo)
+        self.multiple, self._below = self.model.scattering == MULTIPLE, tuple(below)
         base, *dust = found.averaged.components(
             self.xp, self.xp.maximum(lift(self.xp, dr.detach(wi.z)), SMALLEST_COSINE)
         )
@@ -212,8 +237,13 @@ class _Layer:
 
     def scattered_again(self, wo: Any) -> Any:
         """The BRDF of light scattered more than once, and of light between the dust and the nested BSDF [1/sr]."""
-        layer = self.model.exchange(self.xp).layer
-        return lower(self.xp, Exchange((_Lit(self._albedo),), layer).formula(self.xp, self._geometry(wo)))
+        xp, geometry = self.xp, self._geometry(wo)
+        exchange = Exchange(self._below, self.model.exchange(xp).layer)
+        total = exchange.formula(xp, geometry)
+        for highlight in exchange.highlights:
+            total = total + exchange.blurred(highlight, geometry)
+            total = total + exchange.sharp(highlight, geometry) * cast(Piece, highlight.term).formula(xp, geometry)
+        return lower(xp, total)
 
     def through(self, below: Any, dust: Any, wo: Any) -> Any:
         """What is seen of `below` and of `dust` without an end; a direction below the surface does not cross the layer."""

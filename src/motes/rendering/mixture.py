@@ -25,6 +25,11 @@ def lift(xp: Any, x: Any) -> Array:
     return xp.differing(x) if isinstance(xp, Numbers) else x
 
 
+def known(xp: Any, x: Any, number: Array) -> Array:
+    """A number that is the same at every hit, or one for each channel, in such a namespace: `x` is the same as a value of Dr.Jit."""
+    return xp.known(number if len(number) > 1 else number[0]) if isinstance(xp, Numbers) else x
+
+
 def lower(xp: Any, x: Array) -> Any:
     """A value of such a namespace in Dr.Jit."""
     return xp.found(x) if isinstance(xp, Numbers) else x
