@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 import motes
 from motes.directions import half_difference
 from motes.files import write_text
+from motes.fitting.alike import APART, FEWEST, MOST
 from motes.measurements import Measurement, list_samples
 
 Floats = NDArray[np.float64]
@@ -309,12 +310,13 @@ def main() -> None:
         f"{options.repeats} repeats of the same designs, from the same fits; such shares are good to about {spread(options.repeats)}. To aim at: 55 to 80 %",
         "and 88 to 99 % in the five designs with misfit. The last column: what is left for the field when a way is widened or narrowed until the widest",
         "of all covers 80 %. CR2 and CR3 make up for what a block did to the fit itself (Bell and McCaffrey 2002), each with its degrees of freedom; a",
-        "block is as long as residuals are alike where its side is twice the distance at which their correlation sinks below 0.2.",
+        "block is as long as residuals are alike where its side is twice the distance at which their correlation sinks below",
+        f"{APART}; there are {FEWEST} to {MOST} of these.",
         "",
         *ways,
         "",
-        "Intervals over 16 blocks do as they should in as many designs as those over 24, and miss by less elsewhere: not enough to change what is kept to.",
-        "Blocks as long as residuals are alike do so in all designs but the field; Motes does not take these yet.",
+        "Blocks as long as residuals are alike are many where the noise is independent, and few where what the model misses is broad: so they cover what they",
+        "should in more designs than any fixed number does. What is left is the field that is another one in every repeat.",
         "",
         "What a model misses is the same in every repeat, and only directions are drawn anew: each direction then counts nearly by itself, and few",
         "blocks, which are wide, cover too often. A random field is drawn anew, too, and many blocks, which are narrow, cover too seldom. In one set of",

@@ -1,6 +1,6 @@
 """Ways to compute errors where residuals go together, from one and the same fit: for docs/uncertainty.md.
 
-A fit is recorded once (`recorded`): its residuals and their derivatives at each direction.  All ways are then sums over these, since the fit is what costs.
+A fit is recorded once (`recorded`): its scores and parts of its curvature at each direction.  All ways are then sums over these, since the fit is what costs.
 """
 
 from __future__ import annotations
@@ -13,15 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 import motes.fitting.uncertainty
+from motes.fitting.alike import count_of_blocks
 from motes.fitting.clusters import Middle, evened, middle_over
-from motes.fitting.direction_blocks import BLOCKS, Labels, blocks_of, coordinates
+from motes.fitting.direction_blocks import Labels, blocks_of, coordinates
 from motes.fitting.error_bars import LEVELS
 from motes.fitting.problem import Problem
 from motes.fitting.students_t import half_width
 
 Floats = NDArray[np.float64]
-# Residuals of which the correlation has sunk below this are apart; and the widths [rad] of the steps in which it is looked for.
-APART, STEP = 0.2, 0.06
 
 
 class Recorded(NamedTuple):
@@ -32,7 +31,6 @@ class Recorded(NamedTuple):
     inverse: Floats
     scores: Floats
     shares: Floats
-    residuals: Floats
 
 
 @contextmanager
@@ -49,7 +47,7 @@ def recorded() -> Iterator[list[Recorded]]:
             derivatives[channel][:, places] = slopes[channel]
         scores = np.einsum("cnp,cn->np", derivatives, residuals)
         shares = np.einsum("cnp,cnq->npq", derivatives, derivatives)
-        found.append(Recorded(problem, x, inverse, scores, shares, residuals.sum(axis=0)))
+        found.append(Recorded(problem, x, inverse, scores, shares))
         return middle_over(problem, x, inverse, blocks)
 
     home = motes.fitting.uncertainty
@@ -61,10 +59,11 @@ def recorded() -> Iterator[list[Recorded]]:
 
 
 def over_blocks(count: int | None, power: float) -> Callable[[Recorded], Middle]:
-    """CR0, CR2 or CR3 (`power` 0, 1/2, 1) over so many blocks, or over as many as the residuals' correlation asks for."""
+    """CR0, CR2 or CR3 (`power` 0, 1/2, 1) over so many blocks, or over as many as the correlation of residuals asks for."""
 
     def way(fit: Recorded) -> Middle:
-        labels = blocks_of(fit.problem.wi, fit.problem.wo, count or as_long_as_correlated(fit))
+        wi, wo = fit.problem.wi, fit.problem.wo
+        labels = blocks_of(wi, wo, count or count_of_blocks(wi, wo, fit.problem.misses(fit.x)))
         sums = [np.zeros((int(labels.max()) + 1, *part.shape[1:])) for part in (fit.scores, fit.shares)]
         for total, part in zip(sums, (fit.scores, fit.shares), strict=True):
             np.add.at(total, labels, part)
@@ -77,16 +76,6 @@ def over_blocks(count: int | None, power: float) -> Callable[[Recorded], Middle]
 def by_direction(fit: Recorded) -> Middle:
     """CR2 over directions: only the channels of each go together."""
     return evened(fit.scores, fit.shares, fit.inverse)
-
-
-def as_long_as_correlated(fit: Recorded) -> int:
-    """How many blocks there are whose sides are twice the distance over which residuals stay alike; 8 to 48."""
-    at, r = coordinates(fit.problem.wi, fit.problem.wo), fit.residuals
-    pairs = np.triu_indices(len(r), 1)
-    step = (distances(at)[pairs] / STEP).astype(int)
-    mean = np.bincount(step, np.outer(r, r)[pairs]) / np.maximum(np.bincount(step), 1) / np.mean(r**2)
-    length = STEP * (0.5 + int(np.argmax(mean < APART)))
-    return int(np.clip(np.prod(np.ptp(at, axis=0)) / (2 * length) ** 3, 8, 48))
 
 
 def over_distance(length: float) -> Callable[[Recorded], Middle]:
@@ -118,18 +107,18 @@ def distances(at: Floats) -> Floats:
     return np.sqrt(np.sum((at[:, None] - at[None]) ** 2, axis=-1))
 
 
-#: The ways; and the one that Motes goes.
+#: The way that Motes goes, and all of them.
+OURS = "blocks as long as residuals are alike, CR2"
 WAYS: dict[str, Callable[[Recorded], Middle]] = {
     **{f"{count} blocks, CR2": over_blocks(count, 0.5) for count in (8, 12, 16, 20, 24, 48)},
     "24 blocks, CR3: the jackknife": over_blocks(24, 1.0),
     "8 blocks, CR3": over_blocks(8, 1.0),
     "24 blocks, nothing made up for (CR0)": over_blocks(24, 0.0),
-    "blocks as long as residuals are alike, CR2": over_blocks(None, 0.5),
+    OURS: over_blocks(None, 0.5),
     "kernel of 0.2 rad (Conley)": over_distance(0.2),
     "kernel of 0.4 rad (Conley)": over_distance(0.4),
     "each direction by itself, CR2": by_direction,
 }
-OURS = f"{BLOCKS} blocks, CR2"
 
 
 class Bars(NamedTuple):

@@ -10,6 +10,7 @@ from typing import Any, final
 import numpy as np
 
 from motes.errors import DataError
+from motes.fitting.alike import FEWEST, count_of_blocks
 from motes.fitting.columns import Columns, in_own_units
 from motes.fitting.direction_blocks import LEAST_DIRECTIONS, Labels, blocks_of
 from motes.fitting.losses import Floats
@@ -21,8 +22,6 @@ from motes.measurements.origin import not_measured
 ERRORS = ("auto", "blocks", "independent", "bootstrap", "profile")
 #: Intervals, by name: 68 % is one standard deviation of the normal distribution.
 LEVELS = {"68": math.erf(math.sqrt(0.5)), "95": 0.95}
-#: Fewer blocks than these tell too little of a variance.
-FEWEST = 8
 # Residuals go together where they do by more than so many standard deviations of chance.
 BEYOND = 7.0
 
@@ -68,9 +67,9 @@ def chosen(
 ) -> tuple[ErrorBars, Labels | None]:
     """The kind of errors of a fit and, for blocks, the labels (N,) of its directions.
 
-    Of what was measured, residuals are mostly what the model misses, which neighbours share: blocks.  Samples count as independent
-    where the measurement says so (it is simulated, or states the noise of each sample), and where nothing is said of arrays, as
-    long as the residuals do not contradict it.
+    Of what was measured, residuals are mostly what the model misses, which neighbours share: blocks, as large as residuals are alike
+    (`motes.fitting.alike`).  Samples count as independent where the measurement says so (it is simulated, or states the noise of each
+    sample), and where nothing is said of arrays, as long as the residuals do not contradict it.
 
     Parameters
     ----------
@@ -95,8 +94,7 @@ def chosen(
         return ErrorBars("independent", 0, "as asked for"), None
     wi, wo = objective.directions
     labels = blocks_of(wi, wo)
-    count = int(labels.max()) + 1
-    if count < FEWEST:
+    if int(labels.max()) + 1 < FEWEST:
         few = f"{len(wi)} usable directions are too few for blocks"
         if asked != "auto":
             raise DataError(
@@ -104,13 +102,19 @@ def chosen(
                 "errors='independent' takes samples as independent (--errors independent)",
             )
         return ErrorBars("independent", 0, few), None
-    if asked in ("blocks", "bootstrap"):
-        return ErrorBars(asked, count, "as asked for"), labels
+    misses = objective.misses(x)
     simulated = bool(not_measured(provenance))
-    if provenance.get("format") and not simulated and not stated:
-        return ErrorBars("blocks", count, "what a model misses of a material, neighbours share"), labels
-    if together(objective.misses(x), labels):
-        return ErrorBars("blocks", count, "the residuals of neighbours go together"), labels
+    kind, why = "blocks", ""
+    if asked in ("blocks", "bootstrap"):
+        kind, why = asked, "as asked for"
+    elif provenance.get("format") and not simulated and not stated:
+        why = "what a model misses of a material, neighbours share"
+    elif together(misses, labels):
+        why = "the residuals of neighbours go together"
+    if why:
+        sized = blocks_of(wi, wo, count_of_blocks(wi, wo, misses))
+        labels = sized if int(sized.max()) + 1 >= FEWEST else labels  # of few places, which cannot be cut evenly
+        return ErrorBars(kind, int(labels.max()) + 1, why), labels
     who = "simulated" if simulated else "with uncertainties" if stated else "not said to be measured"
     return ErrorBars("independent", 0, f"the data are {who}, and the residuals of neighbours do not go together"), None
 
