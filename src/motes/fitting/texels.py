@@ -33,6 +33,11 @@ from motes.kernels import engine
 FIRST_REDUCTION = 1e-12
 
 
+# Outliers pull a fit into another valley.  A texel whose residuals are more than this share of its data, and whose fourth moment is so many times the
+# square of the second (3 for noise of one size, up to 12 for noise that goes with the value), is tried from all starts.
+MISFIT, TAILS = 0.05, 12.0
+
+
 class TexelStatus(IntEnum):
     """How a texel's fit ended."""
 
@@ -169,7 +174,7 @@ class TexelSolver(TexelSetup):
         chosen = points if own_starts else self._best_start(kernel, data, points)
         raw = kernel.fit(data, chosen, covariance=covariance, reduction=reduction)
         if not own_starts and len(points) > 1:
-            self._tried_elsewhere(kernel, data, points, raw)
+            self._tried_elsewhere(kernel, data, points, raw, outliers=reduction is None)
         # The model clamps a sample of these at 0, or some have a sample in some channels only: moments do not know of either.
         directly = (raw.state("clamped") > 0) | (raw.state("partial") > 0)
         rows = np.flatnonzero(directly)
@@ -178,7 +183,7 @@ class TexelSolver(TexelSetup):
             part = data[rows]
             again = self.kernel("direct").fit(part, near, covariance=covariance, reduction=reduction)
             if not own_starts and len(points) > 1:
-                self._tried_elsewhere(self.kernel("direct"), part, points, again)
+                self._tried_elsewhere(self.kernel("direct"), part, points, again, outliers=reduction is None)
             raw.replace(rows, again)
         return raw, directly
 
@@ -243,8 +248,10 @@ class TexelSolver(TexelSetup):
         best[~np.isfinite(least)] = starts[0]
         return best
 
-    def _tried_elsewhere(self, kernel: Kernel | Forms, data: Singles, starts: Floats, raw: Raw) -> None:
-        """Fit texels that ended at a bound of a curved column from all starts, and keep what is best.
+    def _tried_elsewhere(
+        self, kernel: Kernel | Forms, data: Singles, starts: Floats, raw: Raw, *, outliers: bool
+    ) -> None:
+        """Fit texels that ended at a bound of a curved column, or with `outliers`, from all starts, and keep what is best.
 
         A highlight of the least width allowed is mostly a false minimum: a spike at one sample.
         """
@@ -252,7 +259,8 @@ class TexelSolver(TexelSetup):
         with np.errstate(invalid="ignore"):
             margin = 1e-6 * (1 + np.abs(raw.points))
             stuck = (raw.points <= low + margin) | (raw.points >= high - margin)
-        rows = np.flatnonzero((stuck & self._curved()).any(axis=1))
+        doubtful = (stuck & self._curved()).any(axis=1)
+        rows = np.flatnonzero(doubtful | _with_outliers(raw) if outliers else doubtful)
         if not len(rows):
             return
         part, covariance = data[rows], raw.covariances.shape[1] > 0
@@ -345,6 +353,14 @@ class TexelSolver(TexelSetup):
         data = self._checked(values)
         solver = self.in_units(unit_of(data, np.isfinite(data)))
         return representative_starts(solver, data, lambda rows, starts: solver.fit(data[rows], starts).x)
+
+
+def _with_outliers(raw: Raw) -> NDArray[np.bool_]:
+    """Which texels have residuals that are large, and some of them much larger than the others (M,)."""
+    squares = raw.state("squares")
+    with np.errstate(invalid="ignore"):
+        heavy = raw.state("fourth") * raw.state("samples") > TAILS * squares * squares
+        return np.asarray(heavy & (squares > MISFIT * MISFIT * raw.state("brightness")))
 
 
 def _own_covariance(packed: Singles, stderr: Singles) -> Singles:

@@ -26,6 +26,7 @@ STATE = (
     "noise",
     "asks",
     "adrift",
+    "fourth",
 )
 
 

@@ -295,6 +295,7 @@ def fit(
             squares = load(D, middle, n, "other", 1)
             used, brightness = load(D, states, texel * STATE + 6, "other", 1), load(D, states, texel * STATE + 7, "other", 1)
             store(D, states, texel * STATE + 8, squares, "plain", 0, 1)
+            store(D, states, texel * STATE + 15, load(D, middle, LANES + n, "other", 1), "plain", 0, 1)
             store(D, states, texel * STATE + 9, load(D, middle, ROWS * LANES + n, "other", 1), "plain", 0, 1)
             store(D, states, texel * STATE + 14, load(D, room + AT_POINT, SIZE * LANES + n, "other", 1), "plain", 0, 1)
             store(D, states, texel * STATE + 12, load(D, noise_here, n, "other", 1), "plain", 0, 1)

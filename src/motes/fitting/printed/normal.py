@@ -77,8 +77,8 @@ class NormalEquations:
     curving
         What is summed for the curvature of the objective (packed), where that is not `matrix`: under a robust function.
     closing
-        What is summed at the solution: squared residuals, 0, the gradient, the middle of the sandwich (packed), and 1 where a clamp of the model acts
-        that moments leave out.
+        What is summed at the solution: squared residuals, their squares, the gradient, the middle of the sandwich (packed), and 1 where a clamp of the model
+        acts that moments leave out.
     tables
         Of the form ``"series"``.
     """

@@ -233,9 +233,9 @@ class Traced:
         """See `motes.fitting.printed.normal.NormalEquations`; residuals and derivatives may be given in another form."""
         residuals = self.residuals() if residuals is None else residuals
         jacobian = self.jacobian() if jacobian is None else jacobian
-        squares = total([r * r for r in residuals])
+        squares = [r * r for r in residuals]
         gradient = self.gradient(residuals, jacobian)
-        return (squares, self.graph.constant(0.0), *gradient, *self.middle(residuals, jacobian), clamped)
+        return (total(squares), total([s * s for s in squares]), *gradient, *self.middle(residuals, jacobian), clamped)
 
     def middle(self, residuals: Sequence[Symbol], jacobian: Sequence[dict[Symbol, Symbol]]) -> list[Symbol]:
         """Squared residuals over what their leverage leaves of them, times J J' (packed): the middle of the sandwich (HC3).
