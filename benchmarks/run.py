@@ -35,6 +35,7 @@ SCRIPTS = (
     "memory",
     "scale_out",
     "gpu",
+    "viewer",
 )
 # Scripts that print Markdown, with what to ask of them by effort; where they are missing, they are left out.
 PRINTING: dict[str, tuple[str, dict[str, list[str]]]] = {

@@ -12,7 +12,7 @@ import pytest
 
 from motes.directions import from_spherical
 from motes.material import Material
-from motes.models import BRDF, Lambert, OrenNayar, TorranceSparrow, parse
+from motes.models import BRDF, Dust, DustLayer, Lambert, OrenNayar, TorranceSparrow, parse
 from motes.viewer import view
 from viewer_support import DUSTY, ROCK, Viewed, browser, driver, measured
 
@@ -135,6 +135,34 @@ def test_what_is_drawn_is_the_light_that_is_reflected(chrome: Any, rock: Path) -
         error = np.abs(drawn(viewed)[rows, columns] - wanted) / wanted
         assert np.median(error) < 0.015
         assert error.max() < 0.05
+
+
+def test_what_parameters_alone_need_is_tabulated_over_the_dust_that_lies_there(chrome: Any, folder: Path) -> None:
+    """Dust with all orders of scattering: its table against all of it at every pixel, with even dust and with dust that lies as it fell; then NumPy."""
+    model = DustLayer(ROCK, Dust(w=(0.9, 0.8, 0.7), g=0.3), tau=1.5, scattering="multiple")
+    with Viewed(chrome, view(model).save(folder / "kept.html"), size=(400, 420), coarse=4) as viewed:
+        viewed.settled()
+        assert viewed.js("app.material(0).shader.kept.length") > 40
+        viewed.set(lobe=False, azimuth=25, elevation=50, environment="none")
+        sphere, eye, rows, columns = seen(viewed)
+        tabulated = []
+        for painted in (False, True):
+            viewed.set(dust=painted)
+            tabulated.append(drawn(viewed)[rows, columns])
+        assert np.abs(tabulated[1] - tabulated[0]).max() > 0.05  # there is less below
+        viewed.js(
+            "(() => { const m = app.material(0); m.shader.kept = []; app.picture.setMaterials([]); app.picture.setMaterials([m]); })()"
+        )
+        for painted, table in zip((False, True), tabulated, strict=True):
+            viewed.set(dust=painted)
+            np.testing.assert_allclose(table, drawn(viewed)[rows, columns], atol=2e-4 * table.max())
+        normal, wo = sphere[rows, columns], unit(eye - sphere[rows, columns])
+        toward = 6 * spherical_deg(viewed.state("lampAzimuth"), viewed.state("lampElevation")) - normal
+        squared = (toward**2).sum(-1, keepdims=True)
+        wi = toward / np.sqrt(squared)
+        f = model.eval(*local(normal, wi, wo))
+        wanted = f * np.maximum((wi * normal).sum(-1, keepdims=True), 0) * np.pi * viewed.state("lamp") * 36 / squared
+        assert np.abs(tabulated[0] - wanted).max() < 0.01 * wanted.max()
 
 
 def under(radiance: np.ndarray, normal: np.ndarray, wo: np.ndarray) -> np.ndarray:

@@ -262,6 +262,7 @@ export class App {
     this.words(state);
     const cosmetic = [...changed].every((key) => ['exposure', 'tone', 'incidence', 'lobe', 'radius', 'scale', 'active'].includes(key));
     if (!cosmetic) this.picture.restart();
+    this.picture.stale = true;
     const scene = new Set<keyof State>(['azimuth', 'elevation', 'distance', 'lampAzimuth', 'lampElevation', 'lamp', 'environment', 'sky', 'exposure', 'tone', 'split', 'dust', 'backdrop', 'ground', 'up', 'shape']);
     if (![...changed].every((key) => scene.has(key))) this.plotsDue = true;
     this.host.changed?.(state);
@@ -317,6 +318,7 @@ export class App {
 
   private plots(state: State): void {
     this.plotsDue = false;
+    this.picture.stale = true;
     const materials = this.pair.all.filter((material): material is Material => material !== null);
     const values = materials.map((_, k) => this.values(k));
     const active = materials[state.active]!;

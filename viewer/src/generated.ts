@@ -817,12 +817,20 @@ export interface UniformView {
   size: number;
 }
 
-/** A printed shader: ``name_with(wi, wo, ...)`` takes the uniforms' values in this order. */
+/** A printed shader: ``name_with(wi, wo, ...)`` takes the uniforms' values in this order. Where it is in `stages`, ``name_parameters(...)`` computes once what parameters alone need, ``name_view(wo, ...)`` what ``name_light(wi, wo, ...)`` needs for each of many lights. Where the first is long, `kept` are its variables, which a table holds instead. */
 export interface ShaderView {
   source: string;
   name: string;
   uniforms: UniformView[];
   channels: number;
+  stages: boolean;
+  kept: KeptView[];
+}
+
+/** A global variable of a shader: ``float``, ``vec3`` or ``bool``. */
+export interface KeptView {
+  name: string;
+  type: string;
 }
 
 /** What each scan said of a parameter on its own; None where it does not determine it. */

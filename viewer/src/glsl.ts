@@ -12,26 +12,31 @@ export function uniformValues(material: Material, values: Values): Record<string
   );
 }
 
-/** `motes_eval_with(wi, wo, ...)` of the uniforms; the layer's tau times `share` where the material has one. */
-function call(material: Material, share: string, output: string): string {
-  const given = material.shader.uniforms.map((uniform) => (share && uniform.slot === material.tau ? `${uniform.name} * ${share}` : uniform.name));
-  return `${material.shader.name}_with(${['wi', 'wo', ...given, ...(output ? [output] : [])].join(', ')})`;
+/** The uniforms as arguments; the layer's tau times `share` where the material has one. */
+export function withShare(material: Material, share: string): string[] {
+  return material.shader.uniforms.map((uniform) => (share && uniform.slot === material.tau ? `${uniform.name} * ${share}` : uniform.name));
+}
+
+/** A printed function of directions and of the uniforms. */
+function call(material: Material, which: 'with' | 'light', share: string, output: string): string {
+  return `${material.shader.name}_${which}(${['wi', 'wo', ...withShare(material, share), ...(output ? [output] : [])].join(', ')})`;
 }
 
 const spectral = (material: Material): boolean => material.shader.channels !== 1 && material.shader.channels !== 3;
 
-/** `vec3 reflected(vec3 wi, vec3 wo, float share)`: the BRDF in linear sRGB. */
+/** `vec3 reflected(vec3 wi, vec3 wo, float share)`: the BRDF in linear sRGB, after `begin(wo, share)`. */
 function reflected(material: Material): string {
-  const { channels } = material.shader;
+  const { channels, stages } = material.shader;
+  const which = stages ? 'light' : 'with';
   const rows = material.toSrgb.map((row) => `vec3(${row.map((x) => x.toPrecision(9)).map((x) => (/[.e]/.test(x) ? x : `${x}.0`)).join(', ')})`);
   const head = 'vec3 reflected(vec3 wi, vec3 wo, float share) {';
-  if (channels === 1) return `${head}\n  return ${call(material, 'share', '')};\n}`;
-  if (channels === 3) return `${head}\n  vec3 f = ${call(material, 'share', '')};\n  return f.x * ${rows[0]} + f.y * ${rows[1]} + f.z * ${rows[2]};\n}`;
+  if (channels === 1) return `${head}\n  return ${call(material, which, 'share', '')};\n}`;
+  if (channels === 3) return `${head}\n  vec3 f = ${call(material, which, 'share', '')};\n  return f.x * ${rows[0]} + f.y * ${rows[1]} + f.z * ${rows[2]};\n}`;
   return [
     `const vec3 TO_SRGB[${channels}] = vec3[${channels}](${rows.join(', ')});`,
     head,
     `  float f[${channels}];`,
-    `  ${call(material, 'share', 'f')};`,
+    `  ${call(material, which, 'share', 'f')};`,
     '  vec3 sum = vec3(0.0);',
     `  for (int k = 0; k < ${channels}; ++k) sum += f[k] * TO_SRGB[k];`,
     '  return sum;',
@@ -51,10 +56,11 @@ void main() {
   gl_Position = projectionMatrix * viewMatrix * vec4(position, 1.0);
 }`;
 
-/** A point lamp, and directions drawn from the environment, each with its radiance over its density. */
-export function shadeFragment(material: Material): string {
+/** A point lamp, and directions drawn from the environment, each with its radiance over its density; `beginning` defines `begin(wo, share)`. */
+export function shadeFragment(material: Material, beginning: string): string {
   return /* glsl */ `
 ${material.shader.source}
+${beginning}
 ${reflected(material)}
 uniform vec3 lampPosition;
 uniform float lampStrength;
@@ -78,6 +84,7 @@ void main() {
   // Interpolated normals may turn away from the eye at an outline: such a point is seen at grazing.
   wo = normalize(vec3(wo.xy, max(wo.z, GRAZING)));
   float share = mix(1.0, vDust, painted);
+  begin(wo, share);
   vec3 toLamp = lampPosition - vPosition;
   float squared = dot(toLamp, toLamp);
   vec3 wi = frame * (toLamp * inversesqrt(squared));
@@ -101,8 +108,8 @@ void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }`;
 export function probeFragment(material: Material): string {
   const { channels } = material.shader;
   const body = spectral(material)
-    ? `float f[${channels}];\n  ${call(material, '', 'f')};\n  for (int k = 0; k < 4; ++k) if (firstChannel + k < ${channels}) found[k] = f[firstChannel + k];`
-    : `found.xyz = ${call(material, '', '')};`;
+    ? `float f[${channels}];\n  ${call(material, 'with', '', 'f')};\n  for (int k = 0; k < 4; ++k) if (firstChannel + k < ${channels}) found[k] = f[firstChannel + k];`
+    : `found.xyz = ${call(material, 'with', '', '')};`;
   return /* glsl */ `
 ${material.shader.source}
 uniform sampler2D toLight;

@@ -3,33 +3,31 @@
 import {
   AgXToneMapping,
   BackSide,
-  FloatType,
   GLSL3,
   LinearToneMapping,
   Mesh,
-  NearestFilter,
   NeutralToneMapping,
   OrthographicCamera,
   PerspectiveCamera,
   PlaneGeometry,
-  RGBAFormat,
   Scene,
   ShaderMaterial,
   SphereGeometry,
   Vector3,
   WebGLRenderer,
-  WebGLRenderTarget,
+  type WebGLRenderTarget,
   type BufferGeometry,
   type DataTexture,
-  type GLSLVersion,
 } from 'three';
 import { radians } from './dom';
 import { directionsTexture, DIRECTIONS, radianceMap, upward } from './environment';
 import { backdropTexture, BACKDROP_FRAGMENT, BACKDROP_VERTEX } from './backdrop';
 import { groundMaterial, groundOf } from './ground';
-import { FULL_VERTEX, SHADE_VERTEX, shadeFragment, uniformValues } from './glsl';
+import { SHADE_VERTEX, shadeFragment, uniformValues } from './glsl';
+import { beginning, Kept } from './kept';
 import type { Lobe } from './lobe';
 import type { Material, Values } from './material';
+import { AVERAGE, halton, quadMaterial, SHOW, target } from './passes';
 import { Problem } from './problem';
 import type { State } from './state';
 
@@ -37,41 +35,19 @@ const TONES = { neutral: NeutralToneMapping, agx: AgXToneMapping, clip: LinearTo
 const LAMP_DISTANCE = 6;
 /** A finished picture has at least so many frames, each with its own place in the pixels, and all directions of the sky. */
 const FRAMES = 16;
-/** Directions of the sky a frame: what the machine can do within the patience while things move, and not fewer at rest than the third. */
+/** Directions of the sky a frame: what the machine can do within the patience while things move; at rest from the third on, doubled up to the second. */
 const FEWEST = 2;
 const MOST = 64;
 const AT_REST = 8;
 const PATIENCE_MS = 45;
-
-const AVERAGE = /* glsl */ `
-uniform sampler2D before;
-uniform sampler2D now;
-uniform float share;
-out vec4 color;
-void main() {
-  ivec2 at = ivec2(gl_FragCoord.xy);
-  color = mix(texelFetch(before, at, 0), texelFetch(now, at, 0), share);
-}`;
-
-// Tone mapping works on what covers a pixel, which then covers it by its share.  three.js fills in its operators here.
-const SHOW = /* glsl */ `
-uniform sampler2D average;
-uniform int coarseness;
-void main() {
-  gl_FragColor = texelFetch(average, ivec2(gl_FragCoord.xy) / coarseness, 0);
-  float covered = gl_FragColor.a;
-  if (covered > 0.0) gl_FragColor.rgb /= covered;
-  #include <tonemapping_fragment>
-  #include <colorspace_fragment>
-  // Eight bits of a smooth slope would show as steps: noise of half a step to either side, the same at every frame, spreads them.
-  float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5;
-  if (covered > 0.0) gl_FragColor.rgb += noise / 255.0;
-  gl_FragColor = vec4(gl_FragColor.rgb * covered, covered);
-}`;
+const COARSEST = 3;
+/** At rest a frame draws as many rows of the picture as take about so long: what is asked for in between need not wait. */
+const REST_MS: [number, number] = [60, 160];
 
 interface Shown {
   material: Material;
   program: ShaderMaterial;
+  kept: Kept | null;
 }
 
 export class Picture {
@@ -103,7 +79,13 @@ export class Picture {
   /** Directions of the sky a frame while things move, and how many pixels are drawn as one; both follow the machine. */
   batch = 4;
   coarseness = 2;
-  private readonly times: number[] = [];
+  private times: number[] = [];
+  private turning = false;
+  /** At rest: rows that this pass has drawn, and rows times directions that a frame draws. */
+  private row = 0;
+  private budget = 0;
+  /** Whether something else than a further pass is to be shown. */
+  stale = true;
   lobe: Lobe | null = null;
 
   constructor(readonly canvas: HTMLCanvasElement) {
@@ -131,8 +113,8 @@ export class Picture {
   /** The materials that are drawn, the second only when it is compared. */
   setMaterials(materials: readonly Material[]): void {
     const before = this.shown;
-    this.shown = materials.map((material) => before.find((each) => each.material === material) ?? { material, program: shadeMaterial(material) });
-    for (const old of before) if (!this.shown.includes(old)) old.program.dispose();
+    this.shown = materials.map((material) => before.find((each) => each.material === material) ?? { material, program: shadeMaterial(material), kept: material.shader.kept.length ? new Kept(material) : null });
+    for (const old of before) if (!this.shown.includes(old)) forget(old);
     this.restart();
   }
 
@@ -163,6 +145,7 @@ export class Picture {
   restart(): void {
     this.frame = 0;
     this.drawn = 0;
+    this.row = 0;
     this.moved = true;
   }
 
@@ -180,37 +163,51 @@ export class Picture {
   draw(state: State, values: readonly Values[]): void {
     if (state.environment !== this.environment) this.setEnvironment(state.environment);
     this.dark = state.environment === 'none' || state.sky === 0;
+    this.adapt();
     const coarse = this.moved ? this.coarseness : 1;
-    if (this.moved) this.adapt();
-    if (!this.complete) {
-      const count = Math.min(this.moved ? this.batch : Math.max(this.batch, AT_REST), MOST, DIRECTIONS);
-      this.shade(state, values, Math.ceil(this.sample.width / coarse), Math.ceil(this.sample.height / coarse), count);
-      if (coarse === 1) {
-        this.drawn += count;
-        this.add(count / this.drawn);
-        this.frame += 1;
-      }
+    let passed = this.moved || this.complete;
+    if (this.moved && coarse > 1) this.shade(state, values, Math.ceil(this.sample.width / coarse), Math.ceil(this.sample.height / coarse), this.batch);
+    else if (!this.complete) passed = this.pass(state, values);
+    if (passed || (this.stale && this.frame > 0)) {
+      this.show(state, coarse === 1 ? this.sums[0] : this.sample, coarse);
+      this.lobe?.draw(this.renderer, this.camera, this.sample.width, this.sample.height);
+      this.stale = false;
     }
-    this.show(state, coarse === 1 ? this.sums[0] : this.sample, coarse);
-    this.lobe?.draw(this.renderer, this.camera, this.sample.width, this.sample.height);
     this.moved = false;
   }
 
-  /** The materials on the mesh, into the lower left corner of `sample`. */
-  private shade(state: State, values: readonly Values[], w: number, h: number, count: number): void {
+  /** Some rows of the picture, or all of them, with the next directions; whether it is whole. */
+  private pass(state: State, values: readonly Values[]): boolean {
+    const { width, height } = this.sample;
+    const count = Math.min(this.moved ? this.batch : Math.min(Math.max(this.drawn, AT_REST), MOST), DIRECTIONS - (this.drawn % DIRECTIONS));
+    const rows = this.moved ? height : Math.max(Math.floor(this.budget / count), 1);
+    const end = Math.min(this.row + rows, height);
+    this.shade(state, values, width, height, count, this.row, end);
+    this.row = end % height;
+    if (this.row) return false;
+    this.drawn += count;
+    this.add(count / this.drawn);
+    this.frame += 1;
+    return true;
+  }
+
+  /** The materials on the mesh, into the lower left corner of `sample`, of its rows some. */
+  private shade(state: State, values: readonly Values[], w: number, h: number, count: number, first = 0, end = h): void {
     const renderer = this.renderer;
+    const tables = this.shown.map(({ kept }, k) => kept?.texture(renderer, values[k]!) ?? null);
     this.place(state, w, h);
-    this.sample.scissorTest = false;
+    this.sample.scissor.set(0, first, w, end - first);
+    this.sample.scissorTest = true;
     renderer.setRenderTarget(this.sample);
     renderer.clear();
     this.parts(state, w).forEach(([x, width, viewX, viewWidth], k) => {
       const { material, program } = this.shown[k]!;
       Object.assign(program.uniforms, uniformValues(material, values[k]!));
       this.light(program, state, count);
+      program.uniforms['kept']!.value = tables[k];
       this.mesh.material = program;
       this.sample.viewport.set(viewX, 0, viewWidth, h);
-      this.sample.scissor.set(x, 0, width, h);
-      this.sample.scissorTest = true;
+      this.sample.scissor.set(x, first, width, end - first);
       renderer.setRenderTarget(this.sample);
       renderer.render(this.scene, this.camera);
     });
@@ -229,6 +226,7 @@ export class Picture {
     const { width, height } = this.sample;
     this.sample = target(width, height, true);
     this.sums = [target(width, height, false), target(width, height, false)];
+    for (const { kept } of this.shown) kept?.revive();
     this.environment = '';
     this.sky = null;
     this.backdrop.material.uniforms['sky']!.value = null;
@@ -236,7 +234,7 @@ export class Picture {
   }
 
   dispose(): void {
-    for (const { program } of this.shown) program.dispose();
+    for (const each of this.shown) forget(each);
     for (const each of [this.sample, ...this.sums]) each.dispose();
     this.sky?.dispose();
     this.ground.geometry.dispose();
@@ -311,21 +309,26 @@ export class Picture {
     renderer.render(this.flat, this.flatCamera);
   }
 
-  /** Called at frames in a row in which things move: more directions and pixels where the machine is quick, fewer where it is not. */
+  /** Called at each frame: more directions, pixels and rows where the machine is quick, fewer where it is not. */
   private adapt(): void {
     const now = performance.now();
-    if (this.times.length && now - this.times.at(-1)! > 500) this.times.length = 0;
+    this.budget ||= AT_REST * this.sample.height;
+    if (this.times.length && (this.moved !== this.turning || now - this.times.at(-1)! > 3000)) this.times = [];
+    this.turning = this.moved;
     this.times.push(now);
-    if (this.times.length < 6) return;
+    if (this.times.length < (this.moved ? 6 : 4)) return;
     const mean = (now - this.times[0]!) / (this.times.length - 1);
-    if (mean > PATIENCE_MS) {
+    this.times = [];
+    if (!this.moved) {
+      if (mean > REST_MS[1]) this.budget = Math.max(this.budget / 2, AT_REST);
+      else if (mean < REST_MS[0]) this.budget = Math.min(this.budget * 2, MOST * this.sample.height);
+    } else if (mean > PATIENCE_MS) {
       if (this.batch > FEWEST) this.batch /= 2;
-      else this.coarseness = 2;
+      else this.coarseness = Math.min(this.coarseness + 1, COARSEST);
     } else if (mean < PATIENCE_MS / 2) {
-      if (this.coarseness > 1) this.coarseness = 1;
+      if (this.coarseness > 1) this.coarseness -= 1;
       else if (this.batch < MOST) this.batch *= 2;
     }
-    this.times.length = 0;
   }
 
   private setEnvironment(name: string): void {
@@ -340,19 +343,16 @@ export class Picture {
   }
 }
 
-function target(width: number, height: number, depthBuffer: boolean): WebGLRenderTarget {
-  return new WebGLRenderTarget(width, height, { type: FloatType, format: RGBAFormat, minFilter: NearestFilter, magFilter: NearestFilter, depthBuffer });
-}
-
-function quadMaterial(fragmentShader: string, glslVersion: GLSLVersion | null, uniforms: Record<string, { value: unknown }>): ShaderMaterial {
-  return new ShaderMaterial({ glslVersion, vertexShader: FULL_VERTEX, fragmentShader, uniforms, depthTest: false, depthWrite: false });
+function forget({ program, kept }: Shown): void {
+  program.dispose();
+  kept?.dispose();
 }
 
 function shadeMaterial(material: Material): ShaderMaterial {
   return new ShaderMaterial({
     glslVersion: GLSL3,
     vertexShader: SHADE_VERTEX,
-    fragmentShader: shadeFragment(material),
+    fragmentShader: shadeFragment(material, beginning(material)),
     uniforms: {
       lampPosition: { value: new Vector3() },
       lampStrength: { value: 1 },
@@ -361,18 +361,8 @@ function shadeMaterial(material: Material): ShaderMaterial {
       skyCount: { value: 0 },
       skyStrength: { value: 1 },
       painted: { value: 0 },
+      kept: { value: null },
     },
     side: 2,
   });
-}
-
-/** Halton's sequence about the middle, within half a pixel; 0 at first. */
-function halton(index: number, base: number): number {
-  let [value, share, rest] = [0, 1, index];
-  while (rest > 0) {
-    share /= base;
-    value += share * (rest % base);
-    rest = Math.floor(rest / base);
-  }
-  return index === 0 ? 0 : value - 0.5;
 }

@@ -12,12 +12,19 @@ from motes.errors import ParameterError
 from motes.exports.shaders import Shader, about, checked_name, heading, prefix_of, prepare, uniforms_of
 from motes.models import BRDF
 from motes.printing import glsl
+from motes.printing.shading import Stages, define_in_stages
 
 VERSIONS = ("300 es", "450")
 
 
 def shader(
-    model: BRDF, version: str = "300 es", name: str = "motes_eval", *, title: str = "", notes: tuple[str, ...] = ()
+    model: BRDF,
+    version: str = "300 es",
+    name: str = "motes_eval",
+    *,
+    title: str = "",
+    notes: tuple[str, ...] = (),
+    stages: Stages | None = None,
 ) -> Shader:
     """A model as GLSL.
 
@@ -34,6 +41,8 @@ def shader(
         Of the material, for the comment.
     notes
         Further sentences for it.
+    stages
+        Of `in_stages` with the same `name`, in place of one function.
 
     Returns
     -------
@@ -58,7 +67,8 @@ def shader(
         f"uniform {_declared(u.glsl_type, u.name)};  // {about(slot, u.value)}"
         for u, slot in zip(uniforms, prepared.slots, strict=True)
     ]
-    lines += ["", *prepared.definition(language, f"{name}_with", prefix), ""]
+    body = prepared.definition(language, f"{name}_with", prefix) if stages is None else stages.lines
+    lines += ["", *body, ""]
     passed = "".join(f", {u.name}" for u in uniforms)
     if prepared.arrays:
         lines += [f"void {name}(vec3 wi, vec3 wo, out float f[{prepared.channels}]) {{"]
@@ -66,6 +76,19 @@ def shader(
     else:
         lines += [f"vec3 {name}(vec3 wi, vec3 wo) {{", f"    return {name}_with(wi, wo{passed});", "}"]
     return Shader("\n".join(lines) + "\n", uniforms, name, language.title, prepared.channels)
+
+
+def in_stages(model: BRDF, version: str = "300 es", name: str = "motes_eval") -> Stages | None:
+    """The function of `shader` in three stages, for programs that ask for many lights with one viewer; None but for one channel or three.
+
+    ``name_parameters(...)`` computes what parameters alone need, ``name_view(wo, ...)`` what does not depend on the light, ``name_light(wi, wo, ...)`` the
+    value; between them it is kept in global variables.
+    """
+    prepared = prepare(model)
+    if prepared.arrays:
+        return None
+    language, prefix = glsl.language(version), prefix_of(name)
+    return define_in_stages(prepared.recording, language, name=name, prefix=prefix, split=prepared.split)
 
 
 def _declared(type_: str, name: str) -> str:

@@ -38,6 +38,8 @@ class Body:
         The value; a colour where `colored`.
     functions
         Definitions that must come before.
+    before
+        Statements for what is held in variables that others declare, by stage; the ones above use these.
     """
 
     constants: list[str]
@@ -46,6 +48,7 @@ class Body:
     result: str
     colored: bool
     functions: list[str] = field(default_factory=list)
+    before: list[list[str]] = field(default_factory=list)
 
 
 def body(
@@ -57,6 +60,7 @@ def body(
     split: Collection[str],
     vectors: bool = True,
     first: Callable[[Symbol], Symbol] | None = None,
+    held: Sequence[Mapping[Symbol, str]] = (),
 ) -> Body:
     """Print a recorded model.
 
@@ -74,7 +78,10 @@ def body(
         True where such parameters are colours, False where they are numbers in a loop over the channels.
     first
         Which operand of a minimum or maximum is written first, where functions ``prefix_min`` and ``prefix_max`` stand for these.
+    held
+        By stage, symbols and the variables, declared elsewhere, that hold them: what they need is computed in `Body.before`.
     """
+    variables = {symbol: name for stage in held for symbol, name in stage.items()}
     trace = recording.trace
     outputs = trace.outputs
     many = {p.symbol for p in trace.parameters if p.slot in split}
@@ -85,20 +92,35 @@ def body(
         language = replace(language, templates={**language.templates, **_extrema(prefix)})
     target = _target(language, outputs, colored if vectors else frozenset(), prefix)
     calls, functions = outlined(recording, language, target, prefix, given, colored)
-    names = _names(recording, taken, dict(given) | calls)
+    names = _names(recording, taken, dict(given) | calls) | variables
     if first is not None:
         swapped = {s for s in tracing.live(outputs) if s.op in _EXTREMA and first(s) is not s.args[0]}
         target = replace(target, inline={s: _extrema(prefix, "{1}, {0}")[s.op] for s in swapped})
-    done, (result,) = steps(target, outputs, dict(given) | calls, names)
-    lines: dict[bool, list[str]] = {False: [], True: []}
+    called = {symbol: variables[symbol] for symbol in calls if symbol in variables}
+    done, (result,) = steps(target, outputs, dict(given) | calls | called, names)
+    # For each stage, and last the rest: statements of numbers, and of colours.
+    blocks: list[tuple[list[str], list[str]]] = [([], []) for _ in range(len(held) + 1)]
+    stage_of = {s: k for k, stage in reversed([*enumerate(held)]) for s in tracing.live(stage)}
+    for symbol, name in called.items():
+        blocks[stage_of[symbol]][0].append(f"{name} = {calls[symbol]};")
     for step in done:
-        block = lines[step.symbol in colored]
-        block += _commented(recording.names.get(step.symbol), first=not any(lines.values()))
-        block.append(language.declare(language.type(step.symbol, colored if vectors else ()), step.name, step.value))
+        numbers, colors = blocks[stage_of.get(step.symbol, -1)]
+        block = colors if step.symbol in colored else numbers
+        block += _commented(recording.names.get(step.symbol), first=not numbers and not colors)
+        if step.symbol in variables:
+            block.append(f"{step.name} = {step.value};")
+        else:
+            block.append(
+                language.declare(language.type(step.symbol, colored if vectors else ()), step.name, step.value)
+            )
+    before = [[*numbers, *colors] for numbers, colors in blocks[:-1]]
+    lines = dict(zip((False, True), blocks[-1], strict=True))
     code = [*lines[False], *lines[True], result]
-    own = [op for op in language.own if f"{prefix}_{op}(" in "\n".join([*code, *functions])]
+    written = "\n".join([*(line for stage in before for line in stage), *code, *functions])
+    own = [op for op in language.own if f"{prefix}_{op}(" in written]
     functions = [*(elementary(language, op, prefix) for op in own), *functions]
-    return Body(language.named_constants(code), lines[False], lines[True], result, outputs[0] in colored, functions)
+    constants = language.named_constants(code)
+    return Body(constants, lines[False], lines[True], result, outputs[0] in colored, functions, before)
 
 
 def components(recording: Recording, language: Language) -> dict[Symbol, str]:
@@ -152,6 +174,82 @@ def define(
         inside = [*printed.shared, *printed.each, f"return {result};"]
     lines = [line for function in printed.functions for line in [*function.split("\n"), ""]]
     return [*lines, f"{language.qualifier}{head} {{", *indented([*printed.constants, *inside]), "}"]
+
+
+@dataclass(frozen=True)
+class Stages:
+    """A function in three: of the parameters, of the viewer, of the light; each keeps in variables what the next ones need.
+
+    Attributes
+    ----------
+    lines
+        The program: ``name_parameters(...)``, ``name_view(wo, ...)``, ``name_light(wi, wo, ...)``, and ``name_with(wi, wo, ...)``, which calls them all.
+    kept
+        The variables of the first stage, and their types.
+    work
+        How many operations the first stage takes.
+    """
+
+    lines: list[str]
+    kept: dict[str, str]
+    work: int
+
+
+_LIGHT, _VIEW, _PARAMETERS = 1, 2, 4
+
+
+def define_in_stages(
+    recording: Recording, language: Language, *, name: str, prefix: str, split: Collection[str]
+) -> Stages:
+    """As `define`, of one channel or three, for programs that ask for many ``wi`` with one ``wo``, and for many ``wo`` with the same parameters."""
+    trace = recording.trace
+    parameters = {p.symbol: p.slot for p in trace.parameters}
+    bits = dict.fromkeys(trace.directions[:3], _LIGHT) | dict.fromkeys(trace.directions[3:], _VIEW)
+    bits = tracing.dependence(trace.outputs, bits | dict.fromkeys(parameters, _PARAMETERS))
+    many = dict.fromkeys((symbol for symbol, slot in parameters.items() if slot in split), 1)
+    colored = {s for s, bit in tracing.dependence(trace.outputs, many).items() if bit}
+    frontiers = [tracing.frontier(trace.outputs, bits, inside) for inside in (_PARAMETERS, _PARAMETERS | _VIEW)]
+    first = [s for s in frontiers[0] if s.op != "leaf"]
+    second = [s for s in frontiers[1] if s.op != "leaf" and bits[s] != _PARAMETERS]
+    held = [
+        {symbol: f"{prefix}_{word}{k}" for k, symbol in enumerate(stage)}
+        for word, stage in (("kept", first), ("seen", second))
+    ]
+    types = {name: language.type(symbol, colored) for stage in held for symbol, name in stage.items()}
+    given = components(recording, language) | parameters
+    printed = body(recording, language, prefix=prefix, given=given, split=split, held=held)
+    result = printed.result if printed.colored else language.splat.format(printed.result)
+    wi, wo = (language.argument.format(type=language.direction, name=w) for w in ("wi", "wo"))
+    rest = [
+        language.argument.format(type=language.color if slot in split else language.number, name=slot)
+        for slot in parameters.values()
+    ]
+    slots = [*parameters.values()]
+
+    def function(head: str, arguments: list[str], inside: list[str]) -> list[str]:
+        return [f"{head}({', '.join(arguments)}) {{", *indented(inside), "}", ""]
+
+    before = [[*language.named_constants(stage), *stage] for stage in printed.before]
+    lines = [f"{type_} {variable};" for variable, type_ in types.items()] + [""]
+    lines += [line for each in printed.functions for line in [*each.split("\n"), ""]]
+    lines += function(f"void {name}_parameters", rest, before[0])
+    lines += function(f"void {name}_view", [wo, *rest], before[1])
+    lines += function(
+        f"{language.color} {name}_light",
+        [wi, wo, *rest],
+        [*printed.constants, *printed.shared, *printed.each, f"return {result};"],
+    )
+    lines += function(
+        f"{language.color} {name}_with",
+        [wi, wo, *rest],
+        [
+            f"{name}_parameters({', '.join(slots)});",
+            f"{name}_view({', '.join(['wo', *slots])});",
+            f"return {name}_light({', '.join(['wi', 'wo', *slots])});",
+        ],
+    )
+    work = sum(bit == _PARAMETERS and symbol.op != "leaf" for symbol, bit in bits.items())
+    return Stages(lines[:-1], {variable: types[variable] for variable in held[0].values()}, work)
 
 
 _EXTREMA = {"minimum": "min", "maximum": "max"}

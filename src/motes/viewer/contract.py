@@ -41,12 +41,25 @@ class UniformView(TypedDict):
 
 
 class ShaderView(TypedDict):
-    """A printed shader: ``name_with(wi, wo, ...)`` takes the uniforms' values in this order."""
+    """A printed shader: ``name_with(wi, wo, ...)`` takes the uniforms' values in this order.
+
+    Where it is in `stages`, ``name_parameters(...)`` computes once what parameters alone need, ``name_view(wo, ...)`` what ``name_light(wi, wo, ...)`` needs
+    for each of many lights.  Where the first is long, `kept` are its variables, which a table holds instead.
+    """
 
     source: str
     name: str
     uniforms: list[UniformView]
     channels: int
+    stages: bool
+    kept: list[KeptView]
+
+
+class KeptView(TypedDict):
+    """A global variable of a shader: ``float``, ``vec3`` or ``bool``."""
+
+    name: str
+    type: str
 
 
 class ScansView(TypedDict):

@@ -154,8 +154,8 @@ def _type(hint: Any) -> str:
     """A Python annotation as TypeScript; what it does not know is an error rather than `any`."""
     if hint is Any:
         return "unknown"
-    if hint in (str, int, float, NoneType):
-        return {str: "string", int: "number", float: "number", NoneType: "null"}[hint]
+    if hint in (str, bool, int, float, NoneType):
+        return {str: "string", bool: "boolean", int: "number", float: "number", NoneType: "null"}[hint]
     origin, arguments = typing.get_origin(hint), typing.get_args(hint)
     if origin is list:
         inner = _type(arguments[0])

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from motes.channels import default_names
 from motes.drawing.colour import channels_to_srgb
 from motes.errors import DataError, ParameterError
-from motes.exports import glsl
 from motes.exports.subject import subject
 from motes.fitting.result import Fit
 from motes.material import Material
@@ -32,7 +31,7 @@ from motes.viewer.contract import (
     TrendView,
 )
 from motes.viewer.declarations import declared
-from motes.viewer.shader_library import library, shader_view
+from motes.viewer.shader_library import in_stages, library
 from motes.viewer.shipped_shapes import shapes
 
 Floats = NDArray[np.float64]
@@ -107,7 +106,7 @@ def _material(material: Material, fit: Any) -> MaterialView:
     )
     return {
         "json": cast(MaterialJson, _finite(written.to_dict())),
-        "shader": shader_view(glsl.shader(seen.brdf, title=material.name)),
+        "shader": in_stages(seen.brdf, material.name),
         "time": _time(material, fit),
         "to_srgb": color.matrix.tolist(),
         "color": color.meaning,

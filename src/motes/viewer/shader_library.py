@@ -19,7 +19,20 @@ from motes.exports import glsl
 from motes.exports.shaders import Shader
 from motes.models import BRDF, Lambert, registered
 from motes.parameters import Parametrised, Place
-from motes.viewer.contract import ShaderView, UniformView
+from motes.viewer.contract import KeptView, ShaderView, UniformView
+
+#: Operations of parameters alone from which a table of them pays.
+LONG = 200
+
+
+def in_stages(model: BRDF, title: str) -> ShaderView:
+    """A printed shader for the page that computes once what many lights, and many viewers, share."""
+    stages = glsl.in_stages(model)
+    printed = shader_view(glsl.shader(model, title=title, stages=stages))
+    if stages is None:
+        return printed
+    kept = [KeptView(name=name, type=type_) for name, type_ in stages.kept.items()] if stages.work >= LONG else []
+    return {**printed, "stages": True, "kept": kept}
 
 
 def shader_view(shader: Shader) -> ShaderView:
@@ -28,7 +41,14 @@ def shader_view(shader: Shader) -> ShaderView:
         UniformView(name=u.name, slot=u.slot, size=len(u.value) if isinstance(u.value, tuple) else 1)
         for u in shader.uniforms
     ]
-    return {"source": shader.source, "name": shader.name, "uniforms": uniforms, "channels": shader.channels}
+    return {
+        "source": shader.source,
+        "name": shader.name,
+        "uniforms": uniforms,
+        "channels": shader.channels,
+        "stages": False,
+        "kept": [],
+    }
 
 
 def pieces() -> dict[str, BRDF]:
