@@ -39,6 +39,17 @@ def refused(result: tuple[int, str, str], *words: str) -> None:
         assert word in err
 
 
+def test_a_map_is_no_single_material_and_the_hints_hold(motes: Run, paint: Path) -> None:
+    assert motes("fit", paint, "-m", "lambert", "--block", 8, "--no-report", "-o", "fitted.zarr")[0] == 0
+    for command in (("export", "fitted.zarr", "--to", "glsl"), ("view", "gold", "--against", "fitted.zarr")):
+        refused(motes(*command), "material for every texel", "motes view fitted.zarr", "material(row, column)")
+    assert motes("view", "fitted.zarr", "--no-open")[0] == 0
+    fitted = maps.open_map("fitted.zarr")
+    assert isinstance(fitted, maps.FittedMap)
+    assert fitted.material(0, 1).channels == ("R", "G", "B")
+    refused(motes("export", paint, "--to", "glsl"), "measured reflectance", "motes fit")
+
+
 def test_fit_of_a_map_writes_maps_and_a_page(motes: Run, paint: Path) -> None:
     status, out, err = motes("fit", paint, "-m", "lambert", "--block", 8)
     assert (status, err) == (0, "")

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from motes.errors import DataError
     from motes.material import Material
 
 LONGEST_NAME = 60
@@ -14,9 +15,24 @@ LONGEST_NAME = 60
 
 def material_of(text: str) -> Material:
     """The material that a user names: a file, a folder of motes fit, a preset or a model's text (see `motes.presets.named`)."""
-    from motes.presets import named
+    from motes.presets import given, named
 
+    if is_map(text) and isinstance(given(text), Path):
+        raise _many(text)
     return named(text)
+
+
+def _many(store: str) -> DataError:
+    """The error for a Zarr store where one material is asked for."""
+    from motes.errors import DataError
+    from motes.maps import FittedMap, open_map
+
+    if not isinstance(open_map(store), FittedMap):
+        return DataError(f"{store} holds measured reflectance at every texel", f"motes fit {store} fits every texel")
+    return DataError(
+        f"{store} holds a material for every texel, and one is asked for",
+        f"motes view {store} shows it; in Python, motes.maps.open_map({store!r}).material(row, column) is one texel's",
+    )
 
 
 def slug(name: str) -> str:

@@ -143,7 +143,7 @@ def _read(path: str, reading: Reading, common: Common) -> Measurement:
     if not isinstance(found, Measurement):
         raise DataError(
             f"{path} holds maps of parameters: a material for every texel",
-            "motes render shows maps; motes info says what they hold",
+            "motes info says what they hold",
         )
     return found
 
