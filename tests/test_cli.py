@@ -19,7 +19,7 @@ from motes.ageing import PHENOMENA, Rig, age, simulate
 from motes.ageing.plaster import TRENDS
 from motes.cli import paths
 from motes.cli.demo_command import true_trends
-from motes.cli.main import make_app
+from motes.cli.main import main, make_app
 from motes.errors import MotesError
 from motes.files import check_writable, leftovers, settle, together, write_text, writing
 from motes.trends import Trend
@@ -861,3 +861,22 @@ def test_a_folder_that_cannot_be_made_is_an_error_before_the_work(tmp_path: Path
 )
 def test_slugs_are_safe_names(name: str, expected: str) -> None:
     assert paths.slug(name) == expected
+
+
+def test_nothing_is_written_over_what_a_command_reads(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A certificate brings a JSON file beside its page, which had the name of the material that it judged."""
+    material = tmp_path / "x.json"
+    assert main(["material", "gold", "-o", str(material)]) == 0
+    before = material.read_bytes()
+    assert main(["certify", str(material), "-o", str(tmp_path / "x.html")]) == 2
+    assert "x.json is read here, and would be written over" in capsys.readouterr().err
+    assert material.read_bytes() == before
+    assert not (tmp_path / "x.html").exists()
+    folder = tmp_path / "out"
+    folder.mkdir()
+    material.rename(folder / "material.json")
+    assert main(["certify", str(folder), "-o", str(folder / "material.html")]) == 2
+    assert (folder / "material.json").read_bytes() == before
+    # What is named as the output is meant.
+    again = str(folder / "material.json")
+    assert main(["material", again, "-o", again]) == 0

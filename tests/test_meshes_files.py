@@ -466,6 +466,8 @@ def test_numbers_beyond_single_precision_are_left_out_and_said(tmp_path: Path, s
     assert "texture coordinates" in said
     assert "heat" in said
     assert main(["dust", str(path), "--days", "5", "-o", str(tmp_path / f"b{suffix}")]) == 0
+    path.write_text("\n".join([*head, "0 0 0 0 0 1e308 0 0 0", *body[1:]]) + "\n")
+    assert any("normals have no direction" in note for note in read_mesh(path).notes)
     path.write_text("\n".join([*head, "1e38 0 0 0 0 1 0 0 0", *body[1:]]) + "\n")
     with pytest.raises(FormatError, match="beyond 1e\\+30"):
         read_mesh(path)

@@ -56,10 +56,14 @@ def certify(
     from motes.cli.options import numbers
     from motes.cli.statuses import DONE, FAULT_FOUND
     from motes.errors import MotesError
+    from motes.files import check_writable
 
     page = Path(output) if output is not None else None
     if page is not None and page.suffix.lower() not in (".html", ".pdf"):
         raise MotesError(f"{page} is no page by its name", "Write -o NAME.html, or NAME.pdf for paper")
+    if page is not None:
+        for file in (page, page.with_suffix(".json")):
+            check_writable(file)  # before the work
     found = certified(
         subject,
         as_model=as_model,

@@ -9,8 +9,9 @@ import sys
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
-from motes.cli.invocation import ARGUMENTS
+from motes.cli.invocation import ARGUMENTS, read_by
 from motes.cli.statuses import BROKEN_PIPE, DEFECT, DONE, INTERRUPTED, USAGE
+from motes.files.writing import READ
 
 if TYPE_CHECKING:
     from cyclopts import App
@@ -74,6 +75,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     """
     arguments = list(sys.argv[1:] if argv is None else argv)
     ARGUMENTS.set(tuple(arguments))
+    READ.set(read_by(arguments))
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")  # a terminal that cannot show sigma still gets its table

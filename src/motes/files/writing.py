@@ -8,6 +8,7 @@ import re
 import secrets
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from contextvars import ContextVar
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,19 @@ from motes.files import leftovers
 
 _STAGING = re.compile(r"\.motes-[0-9a-f]{16}\.partial")
 _OURS = re.compile(r"\..+\.[0-9a-f]{8}\.partial", re.DOTALL)
+
+
+#: Device and number of files that a command reads: nothing is written over them, but under the very name that was asked for.
+READ: ContextVar[frozenset[tuple[int, int]]] = ContextVar("read", default=frozenset())
+
+
+def identity(path: str | os.PathLike[str]) -> tuple[int, int] | None:
+    """Device and number of a file; None where there is none."""
+    try:
+        found = os.stat(path)
+    except (OSError, ValueError):
+        return None
+    return found.st_dev, found.st_ino
 
 
 @contextmanager
@@ -27,9 +41,11 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
     Raises
     ------
     MotesError
-        When the folder cannot be made or written, or the disk is full.
+        When the folder cannot be made or written, or the disk is full; when it is a file that the command reads.
     """
     target = Path(path)
+    if READ.get() and identity(_shown(target)) in READ.get():
+        raise MotesError(f"{_shown(target)} is read here, and would be written over", "Give another name with -o")
     temporary: Path | None = None
     try:
         target.parent.mkdir(parents=True, exist_ok=True)

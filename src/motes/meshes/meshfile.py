@@ -113,7 +113,7 @@ def mended(mesh: Mesh, outwards: bool = False) -> Mesh:
         notes += turned.notes
         mesh = replace(turned, notes=mesh.notes)
     if mesh.normals is not None:
-        length = np.linalg.norm(mesh.normals, axis=1)
+        length = np.linalg.norm(np.where(np.abs(mesh.normals) <= LARGEST, mesh.normals, np.nan), axis=1)
         good = np.isfinite(length) & (length > 1e-6)
         used = np.unique(mesh.triangles)
         if good[used].all():
