@@ -42,7 +42,7 @@ def refused(result: tuple[int, str, str], *words: str) -> None:
 def test_a_map_is_no_single_material_and_the_hints_hold(motes: Run, paint: Path) -> None:
     assert motes("fit", paint, "-m", "lambert", "--block", 8, "--no-report", "-o", "fitted.zarr")[0] == 0
     for command in (("export", "fitted.zarr", "--to", "glsl"), ("view", "gold", "--against", "fitted.zarr")):
-        refused(motes(*command), "material for every texel", "motes view fitted.zarr", "material(row, column)")
+        refused(motes(*command), "material for every texel", "motes view fitted.zarr", "one texel's")
     assert motes("view", "fitted.zarr", "--no-open")[0] == 0
     fitted = maps.open_map("fitted.zarr")
     assert isinstance(fitted, maps.FittedMap)

@@ -249,7 +249,7 @@ def test_what_the_surface_has_is_found() -> None:
 def test_fuzz_is_taken_for_dust() -> None:
     """Where it is clearly nearer; and the error is that of an independent integral over the hemisphere."""
     below = OrenNayar((0.3, 0.1, 0.1), 0.3) + TorranceSparrow(0.5, 0.15)
-    dusty = DustLayer(below, Dust((0.7, 0.6, 0.5), 0.3), tau=0.4, scattering="multiple")
+    dusty = DustLayer(below, Dust((0.7, 0.6, 0.5), 0.3), tau=0.8, scattering="multiple")
     found = fit_surface(subject(dusty), OpenPBR)
     assert found.surface.written()["fuzz_weight"] > 0.05
     wi, wo = upper_directions(40_000, 5), upper_directions(40_000, 6)

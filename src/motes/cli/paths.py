@@ -31,7 +31,7 @@ def _many(store: str) -> DataError:
         return DataError(f"{store} holds measured reflectance at every texel", f"motes fit {store} fits every texel")
     return DataError(
         f"{store} holds a material for every texel, and one is asked for",
-        f"motes view {store} shows it; in Python, motes.maps.open_map({store!r}).material(row, column) is one texel's",
+        f"motes view {store} shows it, and what was fitted at each texel; docs/maps.md says how to take one texel's in Python",
     )
 
 
