@@ -354,6 +354,13 @@ def test_damaged_fits_are_explained(fitted: maps.FittedMap, tmp_path: Path) -> N
         maps.open_map(path)
     with pytest.raises(FormatError, match="holds fitted parameters"):
         maps.fit_map(fitted.path, MODEL, out=tmp_path / "b.zarr")
+    path = support.copy(fitted.path, tmp_path / "c.zarr")
+    file = path / "time" / "zarr.json"
+    about = json.loads(file.read_text())
+    about["shape"] = [len(fitted.hours) - 1]
+    file.write_text(json.dumps(about))
+    with pytest.raises(FormatError, match="maps do not go with"):
+        maps.open_map(path)
 
 
 # ---------------------------------------------------------------- options

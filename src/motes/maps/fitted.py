@@ -382,11 +382,14 @@ def open_fitted(path: object, mode: str = "r") -> FittedMap:
         variables = stored_variables(plan, len(channels))
         if lost := [name for name in variables if zarrs.member(group, name, folder) is None]:
             raise ValueError(f"it lacks {', '.join(lost)}")
+        found = FittedMap(folder, plan, variables, blocks, hours, channels, group)
+        if len(hours) < 2 if found.joint else group["status"].shape[2:] != hours.shape:
+            raise ValueError(f"its maps do not go with {len(hours)} time{'s' if len(hours) != 1 else ''}")
     except MotesError:
         raise
     except Exception as error:
         raise FormatError(f"{folder} is a damaged fitted map: {error}", "Fit the map again with --restart") from None
-    return FittedMap(folder, plan, variables, blocks, hours, channels, group)
+    return found
 
 
 def _numbered(folder: Path) -> list[int]:
