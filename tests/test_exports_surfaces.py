@@ -21,7 +21,7 @@ from motes.errors import DataError, MotesError, ParameterError
 from motes.exports import SURFACES, export, surface_blender, surface_gltf, surface_nodes
 from motes.exports.subject import subject
 from motes.exports.surface_fit import LIGHTINGS, SurfaceFit, by_light, fit_surface
-from motes.fitting.conversion import Conversion
+from motes.fitting.conversion import Conversion, convert
 from motes.models import (
     BRDF,
     EON,
@@ -249,7 +249,7 @@ def test_what_the_surface_has_is_found() -> None:
 def test_fuzz_is_taken_for_dust() -> None:
     """Where it is clearly nearer; and the error is that of an independent integral over the hemisphere."""
     below = OrenNayar((0.3, 0.1, 0.1), 0.3) + TorranceSparrow(0.5, 0.15)
-    dusty = DustLayer(below, Dust((0.7, 0.6, 0.5), 0.3), tau=0.8, scattering="multiple")
+    dusty = DustLayer(below, Dust((0.7, 0.6, 0.5), 0.3), tau=0.4, scattering="multiple")
     found = fit_surface(subject(dusty), OpenPBR)
     assert found.surface.written()["fuzz_weight"] > 0.05
     wi, wo = upper_directions(40_000, 5), upper_directions(40_000, 6)
@@ -257,6 +257,19 @@ def test_fuzz_is_taken_for_dust() -> None:
     wanted = dusty.eval(wi, wo) * both
     off = np.sqrt(np.mean((found.surface.eval(wi, wo) * both - wanted) ** 2) / np.mean(wanted**2))
     assert found.conversion.relative_rms == pytest.approx(off, rel=0.2)
+
+
+def test_a_kind_of_surface_is_never_found_farther_than_one_that_it_contains() -> None:
+    """With nothing but its own starts OpenPBR with fuzz ended farther from this material than without."""
+    below = OrenNayar((0.3, 0.1, 0.1), 0.3) + TorranceSparrow(0.5, 0.15)
+    dusty = DustLayer(below, Dust((0.7, 0.6, 0.5), 0.3), tau=0.4, scattering="multiple")
+    bare, fuzzy = OpenPBR.candidates[:2]
+    without = convert(dusty, bare, loss="cube_root")
+    started = convert(dusty, fuzzy, loss="cube_root", start=without.brdf)
+    assert started.seen < 0.95 * without.seen
+    held = convert(dusty, bare, loss="cube_root", start=started.brdf)  # what a text holds stays held
+    assert held.brdf.parameters["fuzz_weight"] == 0
+    assert held.seen < 1.001 * without.seen
 
 
 def test_files_say_what_was_found(tmp_path: Path) -> None:

@@ -199,7 +199,7 @@ def test_a_frozen_function_follows_the_parameters() -> None:
     parameters = mi.traverse(scene)
     frozen = dr.freeze(lambda scene, seed: mi.render(scene, spp=16, seed=seed))
     gc.collect()
-    gc.disable()  # see docs/rendering.md: garbage that holds variables of Dr.Jit must not be collected while it records
+    gc.disable()  # see docs/rendering.md: while it records, Dr.Jit does not bear that garbage of earlier tests is collected
     try:
         for tau in (0.2, 0.2, 0.2, 1.0, 3.0):
             parameters["sphere.bsdf.tau.value"] = tau

@@ -130,8 +130,9 @@ def fit_surface(
     """
     what.colored(surface.program)
     best: Conversion | None = None
+    before: BRDF | None = None
     for text in texts or surface.candidates:
-        fitted = convert(what.brdf, text, loss="cube_root").brdf
+        fitted = before = convert(what.brdf, text, loss="cube_root", start=before).brdf
         assert isinstance(fitted, surface)
         found = Conversion.between(what.brdf, made(fitted) if made else fitted.canonical())
         if best is None or found.seen < clearly * best.seen:

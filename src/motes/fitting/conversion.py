@@ -60,7 +60,7 @@ class Conversion:
         )
 
 
-def convert(model: BRDF | str, to: str, *, loss: str = "linear") -> Conversion:
+def convert(model: BRDF | str, to: str, *, loss: str = "linear", start: BRDF | None = None) -> Conversion:
     """The parameters of another model with which it reflects most nearly the same.
 
     Parameters
@@ -71,6 +71,8 @@ def convert(model: BRDF | str, to: str, *, loss: str = "linear") -> Conversion:
         The text of the other: ``"eon + ggx(fresnel=schlick)"``; values given in it are held.
     loss
         What is made small, see `motes.fitting.losses`: ``"linear"`` for energy, ``"cube_root"`` for what the eye sees.
+    start
+        A model of the same kind as the other, such as one found with more of it held: the search begins at its values, too.
 
     Returns
     -------
@@ -101,14 +103,20 @@ def convert(model: BRDF | str, to: str, *, loss: str = "linear") -> Conversion:
         raise MotesError(f"{describe(source)} reflects nothing: there is nothing to convert", "Give it a colour")
     about = {"name": describe(source), "simulated": f"values of {describe(source)}"}
     data = Measurement.from_arrays(wi, wo, values, weights=weights, provenance=about)
-    target = parse(to).model
+    target, held = parse(to)
     coloured = any(np.ndim(s.value) and s.parameter.shared_in_fit for s in source.slots())
     strengths = (
         tuple(slot.name for slot in target.slots(Role.HIGHLIGHT_STRENGTH) if slot.parameter.per_channel)
         if coloured
         else ()
     )
-    found = fit(data, to, loss=loss, per_channel=strengths, errors="independent")
+    wanted: str | BRDF = to
+    if start is not None:
+        values = {name: value for name, value in start.parameters.items() if name not in held}
+        wanted = target.with_parameters(values)
+    found = fit(
+        data, wanted, loss=loss, per_channel=strengths, errors="independent", fixed=held if start is not None else ()
+    )
     assert isinstance(found, Fit)  # one time
     return Conversion.between(source, found.material.brdf)
 
