@@ -15,6 +15,8 @@ import MaterialX as mx
 import numpy as np
 from MaterialX import PyMaterialXGenGlsl, PyMaterialXGenShader, PyMaterialXRender, PyMaterialXRenderGlsl
 
+from motes.exports.materialx import loaded
+
 SIDE = 64
 SQUARE = """v -1 -1 0
 v 1 -1 0
@@ -31,12 +33,7 @@ f 1/1/1 3/3/1 4/4/1
 
 
 def main(path: Path, material: str, result: Path, towards: tuple[float, ...] = (0.3, 0.2, 1.0)) -> None:
-    library, document = mx.createDocument(), mx.createDocument()
-    search = mx.getDefaultDataSearchPath()
-    search.append(mx.FilePath(str(path.parent)))
-    mx.loadLibraries(mx.getDefaultDataLibraryFolders(), search, library)
-    mx.readFromXmlFile(document, str(path))
-    document.setDataLibrary(library)
+    document, search = loaded(mx, path)
     sun = document.addNode("directional_light", "sun", "lightshader")
     sun.setInputValue("direction", mx.Vector3(*(-x for x in towards)).getNormalized())
     sun.setInputValue("color", mx.Color3(1, 1, 1))

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from motes.rendering import llvm, load_mitsuba, load_scene
 
@@ -74,3 +76,25 @@ def sphere_scene(bsdf: dict[str, Any], integrator: dict[str, Any], light: dict[s
             "sphere": {"type": "sphere", "bsdf": bsdf},
         }
     )
+
+
+def slab(base: dict[str, Any], dust: dict[str, Any], wi: Any, wo: Any, samples: int) -> NDArray[np.float64]:
+    """What 16 x 16 pixels (256, 3) see from `wo` of a BSDF that lies amid a slab of a medium, lit from `wi`, by Mitsuba's `volpath`: the BRDF [1/sr]."""
+    mi = load_mitsuba()
+    to = mi.ScalarTransform4f
+    wide = to().scale([1e4, 1e4, 1.0])
+    scene = {
+        "type": "scene",
+        "integrator": {"type": "volpath", "max_depth": -1, "rr_depth": 64, "hide_emitters": True},
+        "base": {"type": "rectangle", "to_world": wide, "bsdf": base},
+        # From z = -1 to 1; the opaque base lies in its middle.
+        "slab": {"type": "cube", "to_world": wide, "bsdf": {"type": "null"}, "interior": dust},
+        "light": {"type": "directional", "direction": [float(-x) for x in wi], "irradiance": rgb(1.0, 1.0, 1.0)},
+        "sensor": {
+            "type": "orthographic",
+            "to_world": to().look_at(origin=[float(20 * x) for x in wo], target=[0.0, 0.0, 0.0], up=[0.0, 0.0, 1.0]),
+            "film": {"type": "hdrfilm", "width": 16, "height": 16, "rfilter": {"type": "box"}, "pixel_format": "rgb"},
+            "sampler": {"type": "independent", "sample_count": samples},
+        },
+    }
+    return np.asarray(mi.render(load_scene(scene), seed=1), np.float64).reshape(-1, 3) / float(wi[2])

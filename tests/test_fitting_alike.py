@@ -12,15 +12,9 @@ import motes
 from motes.directions import from_spherical
 from motes.fitting.alike import APART, FEWEST, MOST, MOST_DIRECTIONS, STEP, count_of_blocks, distance_alike
 from motes.measurements import Measurement
+from scattered_directions import scattered
 
 Floats = NDArray[np.float64]
-
-
-def scattered(count: int, seed: int = 4) -> tuple[Floats, Floats]:
-    rng = np.random.default_rng(seed)
-    z, phi = rng.uniform(0.1, 1, (2, count)), rng.uniform(0, 2 * np.pi, (2, count))
-    root = np.sqrt(1 - z * z)
-    return tuple(np.stack([root * np.cos(phi), root * np.sin(phi), z], axis=-1))  # type: ignore[return-value]
 
 
 def independent(count: int, channels: int = 3, seed: int = 2) -> Floats:

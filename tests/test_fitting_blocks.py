@@ -8,15 +8,9 @@ from numpy.typing import NDArray
 
 from motes.directions import from_half_difference, from_spherical
 from motes.fitting.direction_blocks import BLOCKS, LEAST_DIRECTIONS, SAME, blocks_of, end_of_first
+from scattered_directions import scattered
 
 Floats = NDArray[np.float64]
-
-
-def scattered(count: int, seed: int = 4) -> tuple[Floats, Floats]:
-    rng = np.random.default_rng(seed)
-    z, phi = rng.uniform(0.1, 1, (2, count)), rng.uniform(0, 2 * np.pi, (2, count))
-    root = np.sqrt(1 - z * z)
-    return tuple(np.stack([root * np.cos(phi), root * np.sin(phi), z], axis=-1))  # type: ignore[return-value]
 
 
 def turned(w: Floats, angle: Floats) -> Floats:

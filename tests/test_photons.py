@@ -15,9 +15,9 @@ import photons
 from catalogue import direction
 from motes import Lambert, OrenNayar, TorranceSparrow
 from motes.directions import from_spherical
-from motes.rendering import load_mitsuba, load_scene
+from motes.rendering import load_mitsuba
 from photons import Layer
-from plugin_support import needs_llvm
+from plugin_support import needs_llvm, slab
 
 Floats = NDArray[np.float64]
 BLACK = Lambert(0.0)
@@ -194,54 +194,14 @@ def test_errors_are_what_they_say() -> None:
 @pytest.mark.parametrize(("g", "tau"), [(0.6, 1.0), (-0.3, 0.3)])
 def test_volume_paths(g: float, tau: float) -> None:
     """Mitsuba's `volpath` in a slab so wide that nothing leaves at its sides; every pixel sees the same."""
-    mi = load_mitsuba("llvm_ad_rgb")
-    to, w, albedo = mi.ScalarTransform4f, 0.9, 0.5
+    load_mitsuba("llvm_ad_rgb")
+    w, albedo = 0.9, 0.5
     theta_i, theta_r, dphi = 0.6, 0.9, 2.6
     wi, wo = from_spherical(theta_i, 0.0), from_spherical(theta_r, dphi)
-    wide = to().scale([1e4, 1e4, 1.0])
-    scene = load_scene(
-        {
-            "type": "scene",
-            "integrator": {"type": "volpath", "max_depth": -1, "rr_depth": 64, "hide_emitters": True},
-            "base": {
-                "type": "rectangle",
-                "to_world": wide,
-                "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": albedo}},
-            },
-            # From z = -1 to 1; the opaque base lies in its middle.
-            "slab": {
-                "type": "cube",
-                "to_world": wide,
-                "bsdf": {"type": "null"},
-                "interior": {
-                    "type": "homogeneous",
-                    "sigma_t": tau,
-                    "albedo": {"type": "rgb", "value": w},
-                    "phase": {"type": "hg", "g": g},
-                },
-            },
-            "light": {
-                "type": "directional",
-                "direction": [float(-x) for x in wi],
-                "irradiance": {"type": "rgb", "value": 1.0},
-            },
-            "sensor": {
-                "type": "orthographic",
-                "to_world": to().look_at(
-                    origin=[float(20 * x) for x in wo], target=[0.0, 0.0, 0.0], up=[0.0, 0.0, 1.0]
-                ),
-                "film": {
-                    "type": "hdrfilm",
-                    "width": 16,
-                    "height": 16,
-                    "rfilter": {"type": "box"},
-                    "pixel_format": "rgb",
-                },
-                "sampler": {"type": "independent", "sample_count": 512},
-            },
-        }
-    )
-    pixels = np.asarray(mi.render(scene, seed=1), np.float64)[..., 0].ravel() / np.cos(theta_i)
+    base = {"type": "diffuse", "reflectance": {"type": "rgb", "value": albedo}}
+    phase = {"type": "hg", "g": g}
+    dust = {"type": "homogeneous", "sigma_t": tau, "albedo": {"type": "rgb", "value": w}, "phase": phase}
+    pixels = slab(base, dust, wi, wo, 512)[:, 0]
     theirs, error = pixels.mean(), pixels.std(ddof=1) / np.sqrt(pixels.size)
     ours = photons.brdf(Layer(Lambert(albedo), tau, w, g), wi, wo)
     assert error < 0.01 * theirs

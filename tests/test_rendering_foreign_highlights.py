@@ -13,7 +13,7 @@ from motes.directions import from_spherical
 from motes.models import GGX
 from motes.rendering import load_mitsuba, load_scene
 from motes.rendering.foreign_highlights import LEAST_ROUGHNESS, Measured, basis, measure
-from plugin_support import needs_llvm, rgb
+from plugin_support import needs_llvm, rgb, slab
 
 pytestmark = needs_llvm
 Floats = NDArray[np.float64]
@@ -122,32 +122,12 @@ def test_a_foreign_highlight_is_blurred_as_photons_say(alpha: float, tau: float,
 def test_other_highlights_are_as_volume_paths_say(base: dict[str, Any]) -> None:
     """Mitsuba's `volpath` in a slab over the very BSDF, each channel within 8 %, where single scattering is 15 to 40 % too dark."""
     mi, (tau, w, g) = load_mitsuba("llvm_ad_rgb"), (0.3, 0.9, 0.6)
-    to, theta = mi.ScalarTransform4f, 0.6
+    theta = 0.6
     wi, wo = from_spherical(theta, 0.0), from_spherical(theta + np.array([-0.2, 0.2]), np.pi)
-    wide = to().scale([1e4, 1e4, 1.0])
     dust = {"type": "homogeneous", "sigma_t": tau, "albedo": rgb(w, w, w), "phase": {"type": "hg", "g": g}}
     ours = seen(mi, dusty(base, tau, w, g), wi, wo)
     for viewer, value in zip(wo, ours, strict=True):
-        scene = {
-            "type": "scene",
-            "integrator": {"type": "volpath", "max_depth": -1, "rr_depth": 64, "hide_emitters": True},
-            "base": {"type": "rectangle", "to_world": wide, "bsdf": base},
-            "slab": {"type": "cube", "to_world": wide, "bsdf": {"type": "null"}, "interior": dust},
-            "light": {"type": "directional", "direction": (-wi).tolist(), "irradiance": rgb(1.0, 1.0, 1.0)},
-            "sensor": {
-                "type": "orthographic",
-                "to_world": to().look_at(origin=(20 * viewer).tolist(), target=[0.0, 0.0, 0.0], up=[0.0, 0.0, 1.0]),
-                "film": {
-                    "type": "hdrfilm",
-                    "width": 16,
-                    "height": 16,
-                    "rfilter": {"type": "box"},
-                    "pixel_format": "rgb",
-                },
-                "sampler": {"type": "independent", "sample_count": 128},
-            },
-        }
-        pixels = np.asarray(mi.render(load_scene(scene), seed=1), np.float64).reshape(-1, 3) / wi[2]
+        pixels = slab(base, dust, wi, viewer, 128)
         error = pixels.std(axis=0, ddof=1) / 16
         assert (error < 0.015 * pixels.mean(0)).all()
         assert (np.abs(value - pixels.mean(0)) < 0.08 * pixels.mean(0) + 3 * error).all()
