@@ -143,6 +143,9 @@ def test_what_parameters_alone_need_is_tabulated_over_the_dust_that_lies_there(c
     with Viewed(chrome, view(model).save(folder / "kept.html"), size=(400, 420), coarse=4) as viewed:
         viewed.settled()
         assert viewed.js("app.material(0).shader.kept.length") > 40
+        # Dust with all orders of scattering is that of real particles, and the page says so.
+        assert viewed.js("app.material(0).slots.filter((s) => s.name === 'w')[0].declared.high") == 1
+        assert "single-scattering albedo of the dust, [0, 1]" in viewed.page.inner_text(".motes-panel")
         viewed.set(lobe=False, azimuth=25, elevation=50, environment="none")
         sphere, eye, rows, columns = seen(viewed)
         tabulated = []

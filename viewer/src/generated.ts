@@ -855,10 +855,18 @@ export interface TimeView {
   trends: Record<string, TrendView>;
 }
 
-/** A material: its JSON, its printed shader, its course in time, and how its channels become linear sRGB (C, 3). */
+/** Where a parameter's values lie; `high` is None where nothing ends them, and `open` means that the ends are none. */
+export interface RangeView {
+  low: number;
+  high: number | null;
+  open: boolean;
+}
+
+/** A material: its JSON, its printed shader, its course in time, and how its channels become linear sRGB (C, 3). `ranges` are those of its parameters by slot: a model may allow less than the declaration of a parameter, as dust with all orders of scattering does. */
 export interface MaterialView {
   json: MaterialJson;
   shader: ShaderView;
+  ranges: Record<string, RangeView>;
   time: TimeView | null;
   to_srgb: number[][];
   color: string;

@@ -29,7 +29,10 @@ const LONGEST_NAME = 200;
 export function fromView(view: MaterialView): Material {
   const model = parse(view.json.model);
   const slots = slotsOf(model);
-  for (const slot of slots) slot.value = numbersOf(view.json.parameters[slot.name]?.value, slot.name);
+  for (const slot of slots) {
+    slot.value = numbersOf(view.json.parameters[slot.name]?.value, slot.name);
+    slot.declared = { ...slot.declared, ...view.ranges[slot.name] };
+  }
   const printed = view.shader.uniforms.map((uniform) => uniform.slot).join();
   if (printed !== slots.map((slot) => slot.name).join()) throw new Problem('The shader and the model of this page disagree', 'Write the page again with motes view');
   for (const [k, uniform] of view.shader.uniforms.entries()) slots[k]!.value = widened(slots[k]!.value, uniform.size);

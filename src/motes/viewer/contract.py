@@ -87,11 +87,23 @@ class TimeView(TypedDict):
     trends: dict[str, TrendView]
 
 
+class RangeView(TypedDict):
+    """Where a parameter's values lie; `high` is None where nothing ends them, and `open` means that the ends are none."""
+
+    low: float
+    high: float | None
+    open: bool
+
+
 class MaterialView(TypedDict):
-    """A material: its JSON, its printed shader, its course in time, and how its channels become linear sRGB (C, 3)."""
+    """A material: its JSON, its printed shader, its course in time, and how its channels become linear sRGB (C, 3).
+
+    `ranges` are those of its parameters by slot: a model may allow less than the declaration of a parameter, as dust with all orders of scattering does.
+    """
 
     json: MaterialJson
     shader: ShaderView
+    ranges: dict[str, RangeView]
     time: TimeView | None
     to_srgb: list[list[float]]
     color: str

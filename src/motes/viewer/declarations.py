@@ -120,8 +120,13 @@ def _child(part: PartField) -> dict[str, Any]:
     return {"kind": "child", "name": part.name, **said}
 
 
-def _parameter(p: Parameter) -> dict[str, Any]:
+def range_view(p: Parameter) -> contract.RangeView:
+    """Where a parameter's values lie, as JSON says it."""
     low, high = p.bounds
+    return {"low": low, "high": high if np.isfinite(high) else None, "open": p.open}
+
+
+def _parameter(p: Parameter) -> dict[str, Any]:
     return {
         "kind": "parameter",
         "name": p.name,
@@ -129,9 +134,7 @@ def _parameter(p: Parameter) -> dict[str, Any]:
         "unit": p.unit,
         "meaning": p.doc,
         "value": p.default,
-        "low": low,
-        "high": high if np.isfinite(high) else None,
-        "open": p.open,
+        **range_view(p),
         "typical": list(p.typical),
         "perChannel": p.per_channel,
         "role": p.role.name.lower() if p.role else None,

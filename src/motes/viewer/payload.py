@@ -30,7 +30,7 @@ from motes.viewer.contract import (
     TimeView,
     TrendView,
 )
-from motes.viewer.declarations import declared
+from motes.viewer.declarations import declared, range_view
 from motes.viewer.shader_library import in_stages, library
 from motes.viewer.shipped_shapes import shapes
 
@@ -107,6 +107,7 @@ def _material(material: Material, fit: Any) -> MaterialView:
     return {
         "json": cast(MaterialJson, _finite(written.to_dict())),
         "shader": in_stages(seen.brdf, material.name),
+        "ranges": {slot.name: range_view(slot.parameter) for slot in seen.brdf.slots()},
         "time": _time(material, fit),
         "to_srgb": color.matrix.tolist(),
         "color": color.meaning,
