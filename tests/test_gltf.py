@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from motes.errors import DataError, MotesError, ParameterError
-from motes.exports.gltf_dust import dusty_look
+from motes.exports.gltf_dust import dusty_look, write_gltf
 from motes.meshes import read_mesh
 from motes.meshes.glb import write_glb
 from motes.meshes.mesh import Mesh
@@ -124,6 +124,29 @@ def test_drawn_by_three(tmp_path: Path) -> None:
     np.testing.assert_allclose(found["pixels"][0], colour / np.pi * 0.8 * 2, rtol=1e-3)
 
 
+@pytest.mark.slow
+def test_days_are_an_animation(tmp_path: Path) -> None:
+    """Bare, after 30 and after 90 days: the colours of a moment are the line between those of the days beside it."""
+    model = DustLayer(PAINT, SAND, scattering="multiple")
+    moments = [(0.0, np.zeros(5)), (30.0, np.full(5, 0.2)), (90.0, np.full(5, 0.6))]
+    path = tmp_path / "ageing.glb"
+    notes = write_gltf(path, square(), model, moments, "test")
+    assert "from day 0 to 90" in notes[-1]
+    shiny = DustLayer(PAINT + GGX(1.0, 0.2, Schlick(0.5)), SAND, scattering="multiple")
+    assert "that after 90 days" in write_gltf(tmp_path / "shiny.glb", square(), shiny, moments, "test")[-1]
+    report = validated(path)
+    assert report["issues"]["numErrors"] == report["issues"]["numWarnings"] == 0, report["issues"]
+    assert (report["info"]["animationCount"], report["info"]["hasMorphTargets"]) == (1, True)
+    bare, thin, thick = (dusty_look(model, tau).colours[0] for _, tau in moments)
+    # 90 days in four seconds: 15 days are two thirds of one, 60 days are 8/3.
+    for second, colour in ((2 / 3, (bare + thin) / 2), (8 / 3, (thin + thick) / 2)):
+        folder = tmp_path / f"{second:.1f}"
+        folder.mkdir()
+        found = drawn_gltf(path, folder, ("PerspectiveCamera", [0.01, 1, 0.1, 100]), side=3, step=3, at=second)
+        assert found["tau"] == pytest.approx(0.6)
+        np.testing.assert_allclose(found["pixels"][0], colour / np.pi * 0.8 * 2, rtol=1e-3)
+
+
 # ---------------------------------------------------------------- the command
 
 
@@ -136,6 +159,9 @@ def test_the_command(motes: Run) -> None:
     assert "diffuse light" in " ".join(said["notes"])
     assert validated(Path("ball.glb"))["issues"]["numErrors"] == 0
     assert motes("dust", "plane", "--days", 1, "--material", "plaster", "--rays", 4, "-o", "p.glb", "--quiet")[0] == 0
+    assert motes("dust", "plane", "--days", "0,9", "--rays", 4, "-o", "days.glb", "--quiet")[0] == 0
+    assert validated(Path("days.glb"))["info"]["animationCount"] == 1
+    assert motes("dust", "plane", "--days", "0,9", "--rays", 4, "-o", "days.ply")[0] == 2
     status, _, err = motes("dust", "sphere", "--days", 1, "-o", "ball.fbx")
     assert status == 2
     assert "NAME.glb" in err

@@ -31,6 +31,11 @@ _LOADER = "import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';"
 _GLTF = """
 const bytes = Uint8Array.from(atob(job.file), (c) => c.charCodeAt(0)).buffer;
 const gltf = await new GLTFLoader().parseAsync(bytes, '');
+if (job.at !== null) {
+  const mixer = new THREE.AnimationMixer(gltf.scene);
+  mixer.clipAction(gltf.animations[0]).play();
+  mixer.setTime(job.at);
+}
 const scene = new THREE.Scene(), sun = new THREE.DirectionalLight(0xffffff, 2);
 sun.position.set(0.6, 0, 0.8);
 scene.add(gltf.scene, sun);
@@ -85,7 +90,9 @@ def result(imports: str, script: str, folder: Path, job: dict[str, Any]) -> dict
     return found
 
 
-def drawn_gltf(path: Path, folder: Path, camera: tuple[str, list[float]], side: int, step: int) -> dict[str, Any]:
-    """What is drawn of a glTF file, from the front: colours of every `step`-th pixel, the bottom row first."""
+def drawn_gltf(
+    path: Path, folder: Path, camera: tuple[str, list[float]], side: int, step: int, at: float | None = None
+) -> dict[str, Any]:
+    """What is drawn of a glTF file, from the front: colours of every `step`-th pixel, the bottom row first; `at` a second of its animation."""
     file = base64.b64encode(path.read_bytes()).decode()
-    return result(_LOADER, _GLTF, folder, {"file": file, "camera": camera, "side": side, "step": step})
+    return result(_LOADER, _GLTF, folder, {"file": file, "camera": camera, "side": side, "step": step, "at": at})

@@ -14,7 +14,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from motes.meshes.mesh import Mesh
-    from motes.models import BRDF
     from motes.rendering.wiping import Stroke
 
 
@@ -52,7 +51,7 @@ def dust(
     mesh
         A PLY, OBJ, STL or glTF file, or sphere, plane, bunny or teapot.
     days
-        Since the surface was clean; several, such as 0,30,90, for USD, where each is a frame.
+        Since the surface was clean; several, such as 0,30,90, for USD, where each is a frame, and for GLB, which has an animation through them.
     growth_per_day
         tau a day on a level, open surface; 0.005 when not given, about what mirrors of solar plants gather.
     material
@@ -107,7 +106,7 @@ def dust(
         )
     if suffix in usd.SUFFIXES:
         usd.library()  # what is missing is said before the work
-    moments = _days(days, several=suffix in usd.SUFFIXES)
+    moments = _days(days, several=suffix in (".glb", *usd.SUFFIXES))
     last = moments[-1]
     if material is not None and growth_per_day is not None:
         raise MotesError("both --material and --growth-per-day were given", "Give one of them")
@@ -137,18 +136,19 @@ def dust(
             settled = deposit(shape, progress=step, **arguments)
             tau: NDArray[np.floating[Any]] = settled.tau(level)
             told = f"tau of dust after {last:g} days, {level:.6g} where level and open; made by motes dust"
-            dusty = shape.with_attribute("tau", tau)
-            if suffix == ".glb":
-                notes = _write_glb(file, dusty, dusted(last, growth_per_day=rate, material=covered), told)
-            elif suffix in usd.SUFFIXES:
+            if suffix == ".ply":
+                # Mitsuba's own reader takes numbers whose names end so; it calls the attribute vertex_tau.
+                write_ply(file, shape.with_attribute("tau", tau).with_attribute("tau_0", tau), (told,))
+            else:
+                from motes.exports.gltf_dust import write_gltf
                 from motes.exports.usd_dust import write_usd
 
                 then = [(day, settled.tau(each)) for day, each in zip(moments, levels, strict=True)]
                 model = dusted(last, growth_per_day=rate, material=covered)
-                notes = write_usd(file, shape, model, then, told, up=arguments["up"], progress=step)
-            else:
-                # Mitsuba's own reader takes numbers whose names end so; it calls the attribute vertex_tau.
-                write_ply(file, dusty.with_attribute("tau_0", tau), (told,))
+                if suffix == ".glb":
+                    notes = write_gltf(file, shape, model, then, told)
+                else:
+                    notes = write_usd(file, shape, model, then, told, up=arguments["up"], progress=step)
         else:
             baked = bake(shape, texture_size, progress=step, **arguments)
             picture = baked.texture(level)
@@ -164,16 +164,6 @@ def _nowhere(shape: Mesh) -> str:
     """Why no dust landed, as far as it can be told."""
     inwards = next((note for note in shape.notes if "--outwards" in note), "")
     return f"no dust landed anywhere: {inwards or 'no open face looks to where it comes from, or it was carried off; --up says where up is (y when not given)'}"
-
-
-def _write_glb(file: Path, dusty: Mesh, model: BRDF, told: str) -> tuple[str, ...]:
-    """Write the mesh as glTF, and return what that cannot say."""
-    from motes.exports.gltf_dust import dusty_look
-    from motes.meshes.glb import write_glb
-
-    look = dusty_look(model, dusty.attributes["tau"], f"{dusty.name} under dust")
-    write_glb(file, dusty, look.colours, look.material, f"Motes; {told}")
-    return look.notes
 
 
 def _report(
@@ -238,11 +228,13 @@ def _days(text: str, several: bool) -> list[float]:
     """``30``, or where several are taken ``0,30,90``."""
     from motes.errors import MotesError
 
-    days = _numbers(text, "--days", "Write --days 30, or for USD --days 0,30,90")
+    days = _numbers(text, "--days", "Write --days 30, or for GLB and USD --days 0,30,90")
     if not days or sorted(set(days)) != days:
         raise MotesError(f"--days {text!r} do not increase", "Give each once, such as 0,30,90")
     if len(days) > 1 and not several:
-        raise MotesError(f"--days {text!r} are {len(days)} moments", "USD holds several: -o NAME.usda")
+        raise MotesError(
+            f"--days {text!r} are {len(days)} moments", "GLB and USD hold several: -o NAME.glb or -o NAME.usda"
+        )
     return days
 
 

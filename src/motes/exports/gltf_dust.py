@@ -6,7 +6,9 @@ the dust's among them, are the colours; the highlight of what lies below is as s
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,6 +16,8 @@ from numpy.typing import NDArray
 
 from motes.arrays import NUMPY
 from motes.exports.subject import depth_of
+from motes.meshes.glb import SECONDS, write_glb
+from motes.meshes.mesh import Mesh
 from motes.models import BRDF, Reflection, StandardLobe
 from motes.models.standard import MEAN_COSINE
 
@@ -28,6 +32,52 @@ class Look:
     colours: NDArray[np.float64]
     material: dict[str, Any]
     notes: tuple[str, ...]
+
+
+def write_gltf(
+    path: Path, mesh: Mesh, model: BRDF, moments: Sequence[tuple[float, NDArray[np.float64]]], told: str
+) -> tuple[str, ...]:
+    """Write a mesh as it looks under dust; of several days, the first and an animation through the others.
+
+    Parameters
+    ----------
+    path
+        ``NAME.glb``.
+    mesh
+        With normals; it gets tau of the last day as an attribute.
+    model
+        What it is made of, with a layer of dust on top.
+    moments
+        Days, increasing, with tau (V,) then.
+    told
+        A sentence for the file.
+
+    Returns
+    -------
+    tuple of str
+        What the file cannot say, a sentence each.
+
+    Raises
+    ------
+    ParameterError
+        For a model without dust on top.
+    DataError
+        For other than one or three channels.
+    """
+    days = [day for day, _ in moments]
+    looks = [dusty_look(model, tau, f"{mesh.name} under dust") for _, tau in moments]
+    dusty = mesh.with_attribute("tau", moments[-1][1])
+    later = [(day, look.colours) for day, look in zip(days[1:], looks[1:], strict=True)]
+    write_glb(path, dusty, looks[0].colours, looks[-1].material, f"Motes; {told}", later=later, first=days[0])
+    notes = looks[-1].notes
+    if later:
+        notes += (
+            f"Colours change from day {days[0]:g} to {days[-1]:g} in an animation of {SECONDS:g} seconds, linearly between "
+            f"the days given; tau in the file is that of the last.",
+        )
+        if "specularColorFactor" in looks[-1].material["extensions"]["KHR_materials_specular"]:
+            notes += (f"The highlight is that after {days[-1]:g} days throughout.",)
+    return notes
 
 
 def dusty_look(model: BRDF, tau: NDArray[np.float64], name: str = "dusty") -> Look:

@@ -1,10 +1,10 @@
-"""glTF 2.0 as one binary file (.glb): a mesh with a colour at each vertex."""
+"""glTF 2.0 as one binary file (.glb): a mesh with a colour at each vertex, which may change with time."""
 
 from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -20,10 +20,19 @@ MAGIC, VERSION = b"glTF", 2
 FLOAT, UNSIGNED_INT = 5126, 5125
 VERTICES, INDICES = 34962, 34963
 COMPONENTS = {"float32": FLOAT, "uint32": UNSIGNED_INT}
+#: How long an animation of colours runs, whatever it stands for.
+SECONDS = 4.0
 
 
 def write_glb(
-    path: str | os.PathLike[str], mesh: Mesh, colours: ArrayLike, material: Mapping[str, Any], generator: str
+    path: str | os.PathLike[str],
+    mesh: Mesh,
+    colours: ArrayLike,
+    material: Mapping[str, Any],
+    generator: str,
+    *,
+    later: Sequence[tuple[float, ArrayLike]] = (),
+    first: float = 0.0,
 ) -> Path:
     """Write a mesh as glTF 2.0, whole or not at all.
 
@@ -39,6 +48,11 @@ def write_glb(
         A material as glTF has it.
     generator
         Who made it.
+    later
+        Further days, increasing, with the colours (V, 3) then: morph targets, which an animation named ``days`` goes through in `SECONDS`, in
+        proportion to the days, and between two of them linearly.
+    first
+        The day of `colours`.
 
     Raises
     ------
@@ -57,18 +71,28 @@ def write_glb(
     blob = Blob()
     attributes = {name: blob.add(values[used].astype(np.float32), VERTICES) for name, values in columns.items()}
     indices = blob.add(index[mesh.triangles].reshape(-1, 1), INDICES)
-    primitive = {"attributes": attributes, "indices": indices, "material": 0}
+    primitive: dict[str, Any] = {"attributes": attributes, "indices": indices, "material": 0}
+    shape: dict[str, Any] = {"primitives": [primitive], "name": mesh.name}
     document: dict[str, Any] = {
         "asset": {"version": "2.0", "generator": generator},
         "scene": 0,
         "scenes": [{"nodes": [0]}],
         "nodes": [{"mesh": 0, "name": mesh.name}],
-        "meshes": [{"primitives": [primitive], "name": mesh.name}],
+        "meshes": [shape],
         "materials": [dict(material)],
         "accessors": blob.accessors,
         "bufferViews": blob.views,
-        "buffers": [{"byteLength": len(blob.data)}],
     }
+    if later:
+        changes = [np.asarray(then, np.float64) - columns["COLOR_0"] for _, then in later]
+        still = blob.zeros(len(used))  # three.js counts the vertices of a target by its positions
+        primitive["targets"] = [
+            {"POSITION": still, "COLOR_0": blob.add(change[used].astype(np.float32), VERTICES)} for change in changes
+        ]
+        document["animations"] = [_through([first, *(day for day, _ in later)], blob)]
+        shape["weights"] = [0.0] * len(later)
+        shape["extras"] = {"targetNames": [f"{day:g} days" for day, _ in later]}  # where programs look for names
+    document["buffers"] = [{"byteLength": len(blob.data)}]
     if material.get("extensions"):
         document["extensionsUsed"] = sorted(material["extensions"])
     text = json.dumps(document, separators=(",", ":")).encode()
@@ -81,6 +105,19 @@ def write_glb(
     return Path(path)
 
 
+def _through(days: Sequence[float], blob: Blob) -> dict[str, Any]:
+    """An animation in which the colours of each day have their moment: every target alone, after none of them."""
+    moments = SECONDS * (np.asarray(days) - days[0]) / (days[-1] - days[0])
+    weights = np.eye(len(days))[:, 1:].reshape(-1, 1)
+    sampler = {
+        "input": blob.add(moments[:, None].astype(np.float32)),
+        "output": blob.add(weights.astype(np.float32)),
+        "interpolation": "LINEAR",
+    }
+    channel = {"sampler": 0, "target": {"node": 0, "path": "weights"}}
+    return {"name": "days", "samplers": [sampler], "channels": [channel], "extras": {"days": list(days)}}
+
+
 class Blob:
     """The binary chunk in the making, with the accessors that say what is where."""
 
@@ -89,13 +126,20 @@ class Blob:
         self.views: list[dict[str, int]] = []
         self.accessors: list[dict[str, Any]] = []
 
-    def add(self, values: NDArray[Any], target: int) -> int:
-        """Append numbers (N, K) of four bytes each; returns the index of their accessor."""
+    def add(self, values: NDArray[Any], target: int | None = None) -> int:
+        """Append numbers (N, K) of four bytes each; returns the index of their accessor.  An animation's have no target."""
         kind = {1: "SCALAR", 2: "VEC2", 3: "VEC3"}[values.shape[1]]
         component = COMPONENTS[values.dtype.name]
-        self.views.append({"buffer": 0, "byteOffset": len(self.data), "byteLength": values.nbytes, "target": target})
+        view = {"buffer": 0, "byteOffset": len(self.data), "byteLength": values.nbytes}
+        self.views.append(view if target is None else {**view, "target": target})
         self.data += values.astype(values.dtype.newbyteorder("<")).tobytes()
         accessor = {"bufferView": len(self.views) - 1, "componentType": component, "count": len(values), "type": kind}
         bounds = {"min": values.min(axis=0).tolist(), "max": values.max(axis=0).tolist()}
         self.accessors.append({**accessor, **bounds})
+        return len(self.accessors) - 1
+
+    def zeros(self, count: int) -> int:
+        """The index of an accessor of so many vectors of 0, which take no bytes: what has no view is 0."""
+        accessor = {"componentType": FLOAT, "count": count, "type": "VEC3", "min": [0.0] * 3, "max": [0.0] * 3}
+        self.accessors.append(accessor)
         return len(self.accessors) - 1
