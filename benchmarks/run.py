@@ -28,6 +28,7 @@ SCRIPTS = (
     "dust",
     "sampling",
     "texels",
+    "map_fits",
     "growth",
     "fits",
     "joint",

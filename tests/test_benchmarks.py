@@ -30,6 +30,7 @@ PARTS = {
     "dust": "dust_cost",
     "sampling": "sampling",
     "texels": "texel_fits",
+    "map_fits": "map_fits",
     "growth": "growth",
     "fits": "material_fits",
     "joint": "joint_fits",
@@ -38,7 +39,7 @@ PARTS = {
     "gpu": "gpu",
     "viewer": "viewer",
 }
-NEEDS = {"memory": "zarr"}
+NEEDS = {"memory": "zarr", "map_fits": "zarr"}
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -57,7 +58,7 @@ def module(name: str) -> Any:
 def sections(scripts: None, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     """Every benchmark, with sizes that mean nothing, and as a file gives it back."""
     folder = tmp_path_factory.mktemp("bench")
-    module("memory").FOLDER = folder
+    module("memory").FOLDER = module("map_fits").FOLDER = folder
     results = module("results")
     found = {}
     for name, function in PARTS.items():

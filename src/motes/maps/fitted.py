@@ -20,6 +20,7 @@ from motes.fitting.formatting import finite
 from motes.fitting.texels import TexelFit
 from motes.maps import zarrs
 from motes.maps.blocks import Blocks
+from motes.maps.chunks import Chunks, there
 from motes.maps.layout import EXTRAS, FLAGS, VERDICT_FLAGS, Variable, labels, stored, stored_variables, worst
 from motes.maps.opening import forward
 from motes.maps.plan import Plan
@@ -119,15 +120,8 @@ class FittedMap:
     # ------------------------------------------------------------ reading
 
     def done(self) -> NDArray[np.bool_]:
-        """Which blocks (rows, columns) are finished.
-
-        Their records are single files, which are listed: opening a million of them through Zarr would take minutes."""
-        found = np.zeros(self.blocks.counts, bool)
-        for row in _numbered(self.path / "run" / "done" / "c"):
-            for column in _numbered(self.path / "run" / "done" / "c" / str(row)):
-                if row < found.shape[0] and column < found.shape[1]:
-                    found[row, column] = True
-        return found
+        """Which blocks (rows, columns) are finished."""
+        return there(self.path / "run" / "done", self.blocks.counts)
 
     def counts(self) -> dict[str, int]:
         """How many fits ended how; block by block, so that no map needs to fit into memory."""
@@ -311,21 +305,21 @@ class FittedMap:
 
     def write(self, block: tuple[int, int], fit: TexelFit) -> None:
         """Put a block's fits; the record that it is done comes last, so that what is marked done is whole."""
-        where = self.blocks.slices(block)
-        size = tuple(s.stop - s.start for s in where) + (() if self.joint else (len(self.hours),))
+        size = tuple(s.stop - s.start for s in self.blocks.slices(block)) + (() if self.joint else (len(self.hours),))
+
+        def put(name: str, values: NDArray[Any]) -> None:
+            self._chunks[name].put(block, values.reshape(*size, *values.shape[1:]))
+
         for v in self.variables.values():
-            for name, source in (
-                (v.name, fit.x),
-                (f"{v.name}_stderr", fit.stderr),
-                (f"{v.name}_verdict", fit.verdicts),
-            ):
-                part = source[:, list(v.columns)] if v.per_channel else source[:, v.columns[0]]
-                self.group[name][where] = part.reshape(*size, *part.shape[1:])
+            columns = list(v.columns) if v.per_channel else v.columns[0]
+            put(v.name, fit.x[:, columns])
+            put(f"{v.name}_stderr", fit.stderr[:, columns])
+            put(f"{v.name}_verdict", fit.verdicts[:, columns])
         for name in EXTRAS:
-            self.group[name][where] = getattr(fit, name).reshape(size)
-        if self._has("covariance") and fit.covariance is not None:
-            self.group["covariance"][where] = fit.covariance.reshape(*size, -1)
-        self.group["run/done"][block] = 1
+            put(name, getattr(fit, name))
+        if "covariance" in self._chunks and fit.covariance is not None:
+            put("covariance", fit.covariance)
+        self._chunks["done"].put(block, np.ones((1, 1), np.uint8))
 
     def record_failures(self, failures: Sequence[tuple[tuple[int, int], str]]) -> None:
         """Keep what failed, for ``motes info``."""
@@ -337,6 +331,12 @@ class FittedMap:
             left.unlink(missing_ok=True)
 
     # ------------------------------------------------------------ helpers
+
+    @cached_property
+    def _chunks(self) -> dict[str, Chunks]:
+        """The chunks of every map, and of the record of finished blocks: each block is one."""
+        arrays = zarrs.arrays(self.group, self.path) | {"done": self.group["run/done"]}
+        return {name: Chunks.of(array, self.path) for name, array in arrays.items()}
 
     def _has(self, name: str) -> bool:
         return zarrs.member(self.group, name, self.path) is not None
@@ -390,11 +390,3 @@ def open_fitted(path: object, mode: str = "r") -> FittedMap:
     except Exception as error:
         raise FormatError(f"{folder} is a damaged fitted map: {error}", "Fit the map again with --restart") from None
     return found
-
-
-def _numbered(folder: Path) -> list[int]:
-    """The names in a folder that are numbers; none where there is no folder."""
-    try:
-        return [int(name) for name in os.listdir(folder) if name.isdecimal()]
-    except FileNotFoundError:
-        return []

@@ -1,0 +1,101 @@
+"""Chunks that are written whole: the files are those that Zarr writes, byte for byte."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+pytest.importorskip("zarr")
+import zarr
+
+from motes.maps import chunks, zarrs
+from motes.maps.chunks import Chunks
+
+RNG = np.random.default_rng(3)
+SHAPE, CHUNK = (7, 5, 2), (4, 3, 2)
+CASES: dict[str, tuple[dict[str, Any], Any]] = {
+    "float32": ({"dtype": "f4", "fill": np.nan}, RNG.random(SHAPE)),
+    "verdicts": ({"dtype": "u1", "fill": 255}, RNG.integers(0, 4, SHAPE)),
+    "uncompressed": ({"dtype": "u1", "fill": 0, "compressed": False}, RNG.integers(0, 2, SHAPE)),
+}
+
+
+def files(folder: Path) -> dict[str, bytes]:
+    return {str(f.relative_to(folder)): f.read_bytes() for f in sorted(folder.rglob("*")) if f.is_file()}
+
+
+def blocks(array: Any) -> list[tuple[tuple[int, int], tuple[slice, slice]]]:
+    return [
+        ((y, x), (slice(4 * y, min(4 * y + 4, 7)), slice(3 * x, min(3 * x + 3, 5)))) for y in (0, 1) for x in (0, 1)
+    ]
+
+
+def written_both_ways(store: Path, values: np.ndarray[Any, Any], **options: Any) -> tuple[Path, Path]:
+    """The folders of an array that Zarr filled, and of one that `Chunks` did, block by block."""
+    group = zarr.create_group(str(store), zarr_format=3)
+    arrays = [
+        zarrs.add(group, name, dims=("y", "x", "time"), shape=SHAPE, chunks=CHUNK, **options)
+        for name in ("theirs", "ours")
+    ]
+    ours = Chunks.of(arrays[1], store)
+    for place, where in blocks(arrays[0]):
+        arrays[0][where] = values[where]
+        ours.put(place, values[where])
+    return store / "theirs", store / "ours"
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_the_bytes_are_those_that_zarr_writes(case: str, tmp_path: Path) -> None:
+    options, values = CASES[case]
+    values = values.astype(options["dtype"])
+    values[:4, :3] = options["fill"]  # nothing but the fill value: no file
+    theirs, ours = written_both_ways(tmp_path / "a.zarr", values, **options)
+    assert files(ours) == files(theirs)
+    assert len(files(ours)) == 1 + 3
+    np.testing.assert_array_equal(zarr.open_array(str(ours), mode="r")[...], values)
+
+
+def test_a_chunk_of_nothing_takes_the_place_of_what_was_there(tmp_path: Path) -> None:
+    _, ours = written_both_ways(tmp_path / "a.zarr", CASES["float32"][1])
+    array = zarr.open_group(str(tmp_path / "a.zarr"), mode="r+")["ours"]
+    Chunks.of(array, tmp_path / "a.zarr").put((0, 0), np.full(CHUNK, np.nan))
+    assert np.isnan(array[:4, :3]).all()
+    assert not (ours / "c" / "0" / "0" / "0").exists()
+
+
+@pytest.mark.parametrize("how", [{"compressors": zarr.codecs.GzipCodec()}, {"shards": (8, 6, 2)}])
+def test_what_stores_of_others_have_is_left_to_zarr(how: dict[str, Any], tmp_path: Path) -> None:
+    group = zarr.create_group(str(tmp_path / "a.zarr"), zarr_format=3)
+    array = group.create_array("x", shape=SHAPE, chunks=CHUNK, dtype="f4", fill_value=np.nan, **how)
+    values = CASES["float32"][1].astype("f4")
+    ours = Chunks.of(array, tmp_path / "a.zarr")
+    assert ours.encode is None
+    for place, where in blocks(array):
+        ours.put(place, values[where])
+    np.testing.assert_array_equal(array[...], values)
+
+
+def test_a_disk_that_refuses_leaves_what_was_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    _, folder = written_both_ways(tmp_path / "a.zarr", CASES["float32"][1])
+    before = files(folder)
+    array = zarr.open_group(str(tmp_path / "a.zarr"), mode="r+")["ours"]
+
+    def full(*_: Any) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(chunks.os, "replace", full)
+    with pytest.raises(OSError, match="No space"):
+        Chunks.of(array, tmp_path / "a.zarr").put((0, 0), np.zeros(CHUNK))
+    assert files(folder) == before
+
+
+def test_a_store_that_was_opened_to_be_read_is_not_written(tmp_path: Path) -> None:
+    _, folder = written_both_ways(tmp_path / "a.zarr", CASES["float32"][1])
+    before = files(folder)
+    array = zarr.open_group(str(tmp_path / "a.zarr"), mode="r")["ours"]
+    with pytest.raises(ValueError, match="read-only"):
+        Chunks.of(array, tmp_path / "a.zarr").put((0, 0), np.zeros(CHUNK))
+    assert files(folder) == before
