@@ -15,16 +15,54 @@ import pytest
 
 from viewer_support import ROOT, chromium
 
-_PAGE = """<!doctype html><meta charset="utf-8"><title>test</title><pre id="result">nothing</pre>
+# The browser prints a page once it is loaded, which it is when the document in its frame is closed: GPUs answer in their own time.
+_PAGE = """<!doctype html><meta charset="utf-8"><title>test</title><pre id="result">nothing</pre><iframe id="open" hidden></iframe>
+<script>document.getElementById('open').contentDocument.open();</script>
 <script id="job" type="application/json">JOB</script>
-<script type="importmap">{"imports": {"three": "./three/build/three.module.js", "three/addons/": "./three/examples/jsm/"}}</script>
+<script type="importmap">{"imports": {"three": "./three/build/BUILD.js", "three/addons/": "./three/examples/jsm/"}}</script>
 <script type="module">
 import * as THREE from 'three';
 IMPORTS
 const job = JSON.parse(document.getElementById('job').textContent), out = document.getElementById('result');
 try { out.textContent = JSON.stringify(await (async () => { SCRIPT })()); }
 catch (error) { out.textContent = JSON.stringify({ error: String(error.stack ?? error) }); }
+document.getElementById('open').contentDocument.close();
 </script>"""
+
+#: By renderer: the build of three.js that it is in, and the lines that make it, with what programs complain of.
+RENDERERS = {
+    "WebGLRenderer": (
+        "three.module",
+        """const renderer = new THREE.WebGLRenderer();
+renderer.debug.onShaderError = (gl, program, vertex, fragment) => errors.push(gl.getShaderInfoLog(fragment) || gl.getShaderInfoLog(vertex));""",
+    ),
+    "WebGPURenderer": (
+        "three.webgpu",
+        """const renderer = new THREE.WebGPURenderer();
+await renderer.init();
+if (!renderer.backend.isWebGPUBackend) throw new Error('no WebGPU adapter');""",
+    ),
+    "WebGPURenderer on WebGL 2": (
+        "three.webgpu",
+        """const renderer = new THREE.WebGPURenderer({ forceWebGL: true });
+await renderer.init();
+if (!renderer.backend.isWebGLBackend) throw new Error('no WebGL 2');""",
+    ),
+}
+# The pixel in the middle of a picture; rows of 16 float pixels are as long as WebGPU copies them.
+_DRAWN = """
+const errors = [];
+for (const kind of ['error', 'warn']) console[kind] = (...told) => errors.push(told.join(' '));
+MAKE
+const target = new THREE[renderer.isWebGLRenderer ? 'WebGLRenderTarget' : 'RenderTarget'](16, 3, { type: THREE.FloatType });
+const pixels = new Float32Array(4 * 16 * 3);
+const drawn = async (scene, camera) => {
+  renderer.setRenderTarget(target);
+  renderer.render(scene, camera);
+  const found = await renderer.readRenderTargetPixelsAsync(target, 0, 0, 16, 3, ...(renderer.isWebGLRenderer ? [pixels] : []));
+  return [...found.slice(96, 99)];
+};
+"""
 
 _LOADER = "import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';"
 # A file under a sun from the side, seen by a camera; every step-th pixel of a square picture, and what the first mesh says.
@@ -64,11 +102,17 @@ def library() -> Path:
     pytest.skip("the npm package three is not installed (set MOTES_THREE to its folder)")
 
 
-def result(imports: str, script: str, folder: Path, job: dict[str, Any]) -> dict[str, Any]:
-    """What a script returns, the body of a function that knows ``THREE``, what it `imports` and the `job`; the page is in `folder`."""
+def result(imports: str, script: str, folder: Path, job: dict[str, Any], renderer: str = "") -> dict[str, Any]:
+    """What a script returns, the body of a function that knows ``THREE``, what it `imports` and the `job`; the page is in `folder`.
+
+    With the name of one of `RENDERERS` it knows ``renderer``, ``drawn(scene, camera)`` and ``errors``, what was complained of, too.
+    """
     (folder / "three").symlink_to(library())
     page = folder / "page.html"
+    build, make = RENDERERS[renderer or "WebGLRenderer"]
+    script = (_DRAWN.replace("MAKE", make) if renderer else "") + script
     text = _PAGE.replace("IMPORTS", imports).replace("SCRIPT", script).replace("JOB", json.dumps(job))
+    text = text.replace("BUILD", build)
     page.write_text(text, encoding="utf-8")
     command = [
         chromium(),
@@ -76,9 +120,10 @@ def result(imports: str, script: str, folder: Path, job: dict[str, Any]) -> dict
         "--no-sandbox",
         "--use-angle=swiftshader",
         "--enable-unsafe-swiftshader",
+        *(["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"] if renderer == "WebGPURenderer" else []),
         "--allow-file-access-from-files",
         f"--user-data-dir={folder / 'profile'}",
-        "--virtual-time-budget=20000",
+        "--timeout=100000",
         "--dump-dom",
         page.as_uri(),
     ]

@@ -68,7 +68,9 @@ TARGETS: dict[str, Target] = {
     "c": Target("C99, C++ and CUDA: a header", ".h", "c", ("scalar",), others=(".hpp", ".hh", ".cuh", ".c")),
     "materialx": Target("MaterialX 1.39: a document with nodes of its own and standard ones", ".mtlx", "materialx"),
     "mitsuba": Target("Mitsuba 3: a scene's BSDFs in XML", ".xml", "mitsuba"),
-    "three": Target("three.js: a module with a ShaderMaterial", ".js", "three", others=(".mjs",)),
+    "three": Target(
+        "three.js: a module with a material for WebGLRenderer and WebGPURenderer", ".js", "three", others=(".mjs",)
+    ),
     "merl": Target("MERL: a table of half and difference angles", ".binary", "merl_table"),
     "csv": Target("CSV: a table of angles, times and channels", ".csv", "csv_table", over_time=True, others=(".txt",)),
     "bird": Target(

@@ -87,17 +87,10 @@ void main() {
 }
 `;
 
-// A ShaderMaterial that answers to the lights of its scene.
-//
-//     import * as THREE from 'three';
-//     import { createMaterial } from './material.js';
-//     const mesh = new THREE.Mesh(geometry, createMaterial(THREE));
-//
-// `values` replaces parameters, by name: { tau: 0.5, K_d: [0.8, 0.7, 0.6] }; `options` go to THREE.ShaderMaterial.
-export function createMaterial(THREE, values = {}, options = {}) {
+function shaderMaterial(THREE, options) {
     const own = { motes_albedo: { value: new THREE.Vector3(...albedo) } };
-    for (const parameter of parameters) own[parameter.uniform] = { value: null };
-    const material = new THREE.ShaderMaterial({
+    for (const parameter of parameters) own[parameter.uniform] = { value: parameter.value };
+    return new THREE.ShaderMaterial({
         name,
         lights: true,
         uniforms: THREE.UniformsUtils.merge([THREE.UniformsLib.lights, own]),
@@ -105,21 +98,32 @@ export function createMaterial(THREE, values = {}, options = {}) {
         fragmentShader: fragmentShader.replace('uniform vec3 motes_albedo;', () => `uniform vec3 motes_albedo;\n${formula}`),
         ...options,
     });
-    for (const parameter of parameters) setParameter(material, parameter.name, values[parameter.name] ?? parameter.value);
-    const unknown = Object.keys(values).filter((key) => !parameters.some((parameter) => parameter.name === key));
-    if (unknown.length) throw new Error(`no parameter ${unknown[0]}: there are ${parameters.map((p) => p.name).join(', ')}`);
+}
+
+// A material that answers to the lights of its scene: a ShaderMaterial for WebGLRenderer, with three/webgpu a NodeMaterial for WebGPURenderer.
+//
+//     import * as THREE from 'three';  // or 'three/webgpu'
+//     import { createMaterial } from './material.js';
+//     const mesh = new THREE.Mesh(geometry, createMaterial(THREE));
+//
+// `values` replaces parameters, by name: { tau: 0.5, K_d: [0.8, 0.7, 0.6] }; `options` go to the material.
+export function createMaterial(THREE, values = {}, options = {}) {
+    const material = THREE.NodeMaterial ? new (nodeMaterialOf(THREE))(options) : shaderMaterial(THREE, options);
+    for (const [key, value] of Object.entries(values)) setParameter(material, key, value);
     return material;
 }
 
-// Change a parameter of a material that createMaterial made; a number serves for all channels.
+// Change a parameter of a material that createMaterial made; a number serves for all channels.  Of WebGPURenderer it may be a node of TSL, too.
 export function setParameter(material, key, value) {
     const parameter = parameters.find((candidate) => candidate.name === key);
     if (!parameter) throw new Error(`no parameter ${key}: there are ${parameters.map((p) => p.name).join(', ')}`);
+    if (value?.isNode && material.isNodeMaterial) return material.setParameter(parameter, value);
     const wanted = Array.isArray(parameter.value) && !Array.isArray(value) ? [value, value, value] : value;
     for (const number of [wanted].flat()) {
         const low = parameter.min ?? -Infinity;
         const high = parameter.max ?? Infinity;
         if (!(number >= low && number <= high)) throw new RangeError(`${key} = ${number} is outside ${low} to ${high}`);
     }
-    material.uniforms[parameter.uniform].value = wanted;
+    if (material.isNodeMaterial) material.setParameter(parameter, wanted);
+    else material.uniforms[parameter.uniform].value = wanted;
 }
