@@ -85,7 +85,10 @@ def gpu(effort: Effort) -> Section:
     name = machine.gpu_name()
     title, made_by = "GPU", "benchmarks/gpu.py, gpu()"
     if name is None:
-        reason = "GPU: PyTorch sees no CUDA device here, so `model.eval` on its tensors, `torch.compile` and Dr.Jit's `cuda_ad_rgb` were not run."
+        reason = (
+            "GPU: PyTorch sees no CUDA device here, so `model.eval` on its tensors, `torch.compile`, Dr.Jit's `cuda_ad_rgb` and our own kernels for cards "
+            "([engine.md](engine.md#on-a-graphics-card)) were not run."
+        )
         return Section(title, made_by, "The same evaluation on a GPU.", {}, skipped=[reason])
     return compared(effort, name, "cuda", rivals.GPU_VARIANT)
 

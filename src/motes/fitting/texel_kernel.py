@@ -20,6 +20,7 @@ from motes.fitting.printed.normal import NormalEquations, Tables
 from motes.fitting.printed.rows import LANES
 from motes.fitting.printed.sums import UNROLL
 from motes.fitting.quantities import columns_for
+from motes.fitting.texel_cards import OnDevice, Wanted
 from motes.fitting.texel_columns import Sampled
 from motes.fitting.texel_setup import TexelSetup
 from motes.graph import tracing
@@ -193,12 +194,20 @@ class Kernel:
         )
         self.every = 1 if equations.tables is None else _every(fit)
         self.items = printed.layout.room(self.times, self.given, self.samples)
+        self._device = fit.device
 
     @cached_property
     def driver(self) -> Callable[..., None]:
         """The compiled function; compiled when it is first asked for, since many fits have no texel for one of their forms."""
         compiled: Callable[..., None] = engine.module(self.source, self._title).fit
         return compiled
+
+    @cached_property
+    def _elsewhere(self) -> OnDevice:
+        """The same on the fit's device."""
+        assert self._device is not None
+        sizes = (self.times, self.given, self.samples)
+        return OnDevice(self._device, self.source, sizes, self.items, (self.columns, self.basis))
 
     def _columns(self, symbols: tuple[tracing.Symbol, ...], sampled: Sampled, tables: Tables | None) -> Singles:
         """What depends on directions alone, a row each; 0 for samples that do not exist."""
@@ -297,6 +306,10 @@ class Kernel:
             box[3 * self.size] = reduction
         units = np.ones(1) if noise is None else np.ascontiguousarray(noise, np.float64)
         holds = np.ascontiguousarray(np.zeros(self.size) if held is None else held, np.float64)
+        if self._device is not None:
+            results = (raw.points, raw.states, raw.values, raw.errors, raw.codes, raw.covariances)
+            self._elsewhere.run(data, box, holds, units, Wanted(limit, every, close), results, out)
+            return
         noise_step, held_step = int(noise is not None), self.size if holds.ndim == 2 else 0
         at, size, given = engine.address, self.size, self.times * self.given * self.channels
         together = LANES * max(2, TASK // (LANES * self.times))

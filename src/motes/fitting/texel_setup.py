@@ -19,6 +19,8 @@ from motes.fitting.joint import Part
 from motes.fitting.losses import Floats, loss_named, robust_named
 from motes.fitting.quantities import Quantity, columns_for
 from motes.fitting.setup import fitted_of
+from motes.kernels.cards import Device
+from motes.kernels.cards import device as device_named
 from motes.models import BRDF
 from motes.parameters import Parameter, Role
 from motes.trends import KINDS
@@ -54,7 +56,9 @@ class TexelSetup:
         weights: ArrayLike | None = None,
         fixed: Collection[str] | Mapping[str, Any] = (),
         per_channel: Collection[str] = (),
+        device: str | Device | None = None,
     ) -> None:
+        self.device = device_named(device) if isinstance(device, str) else device
         self.wi, self.wo = _directions(wi, wo)
         self.channels = channels
         self.loss, self.robust = loss_named(loss), robust_named(robust)

@@ -92,6 +92,8 @@ class TexelSolver(TexelSetup):
         Of the directions (D,); None for all alike.
     fixed, per_channel
         As for `motes.fit`.
+    device
+        None for the compiled engine of the processor, ``"cuda"`` for a graphics card (`motes.kernels.cards`), which gives the same within rounding.
 
     Raises
     ------
