@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 from motes.directions import from_half_difference, from_spherical
-from motes.fitting.direction_blocks import BLOCKS, LEAST_DIRECTIONS, SAME, blocks_of, end_of_first
+from motes.fitting.direction_blocks import BLOCKS, LEAST_DIRECTIONS, SAME, blocks_of, coordinates, end_of_first
 from scattered_directions import scattered
 
 Floats = NDArray[np.float64]
@@ -34,6 +34,14 @@ def test_what_an_isotropic_surface_cannot_tell_apart_is_in_one_block(single: boo
     labels = blocks_of(every_wi, every_wo).reshape(4, 300)
     assert (labels == labels[0]).all()
     assert labels.max() == BLOCKS - 1
+
+
+def test_coordinates_are_the_angles_that_directions_are_made_from() -> None:
+    rng = np.random.default_rng(3)
+    theta_h, theta_d, phi_d, phi_h = rng.uniform(0, 1, (4, 500)) * np.array([[1.2], [0.35], [6.2], [6.2]])
+    folded = np.abs(np.arcsin(np.sin(phi_d)))
+    expected = np.stack([theta_h, theta_d, np.sin(theta_h) * np.sin(theta_d) * folded], axis=-1)
+    np.testing.assert_allclose(coordinates(*from_half_difference(theta_h, theta_d, phi_d, phi_h)), expected, atol=1e-12)
 
 
 def test_azimuth_means_nothing_where_light_and_viewer_mirror_each_other_or_meet() -> None:

@@ -253,6 +253,24 @@ def test_bits_do_not_depend_on_the_number_of_threads(monkeypatch: pytest.MonkeyP
     assert results[0] == results[1] == results[2]
 
 
+def test_a_part_is_the_problem_of_its_directions() -> None:
+    problem, x = make(loss="cube_root")
+    times = np.random.default_rng(2).integers(0, 3, 150).astype(float)
+    rows = np.flatnonzero(times)[::2]
+    problem.normal(x[None]), problem.brightness()  # what is kept of the whole is not that of a part
+    part = problem.counting(times).at_directions(rows).with_scale(ROBUST["cauchy"], 0.02)
+    anew = replace(
+        problem,
+        robust=ROBUST["cauchy"],
+        scale=0.02,
+        **{name: getattr(problem, name)[rows] for name in ("wi", "wo", "values")},
+        weights=(problem.weights * times[:, None])[rows],
+    )
+    for found, expected in zip(part.normal(x[None]), anew.normal(x[None]), strict=True):
+        np.testing.assert_allclose(found, expected, rtol=1e-12)
+    np.testing.assert_allclose(part.brightness(), anew.brightness(), rtol=1e-12)
+
+
 def test_data_sets_of_their_own() -> None:
     """(T, N, C) data with the set of each row, as joint fits over time use it."""
     built, x = make()

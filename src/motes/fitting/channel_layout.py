@@ -28,10 +28,14 @@ class ChannelLayout:
         positions = [np.arange(q.where.start, q.where.stop) for q in own]
         self.index = np.stack([*positions, *(np.full(channels, q.where.start) for q in shared)], axis=1)
         self._size = quantities[-1].where.stop
+        # Of one channel nothing is to be sorted.
+        self._alone = len(self.index) == 1 and np.array_equal(self.index[0], np.arange(self._size))
         self._squares = [(index[:, None], index[None, :]) for index in self.index]
 
     def vector(self, parts: Floats) -> Floats:
         """Sum (B, C, K) into (B, P)."""
+        if self._alone:
+            return parts[:, 0]
         total = np.zeros((len(parts), self._size))
         for c, index in enumerate(self.index):
             total[:, index] += parts[:, c]
@@ -39,6 +43,8 @@ class ChannelLayout:
 
     def matrix(self, parts: Floats) -> Floats:
         """Sum (B, C, K, K) into (B, P, P)."""
+        if self._alone:
+            return parts[:, 0]
         total = np.zeros((len(parts), self._size, self._size))
         for c, (rows, columns) in enumerate(self._squares):
             total[:, rows, columns] += parts[:, c]

@@ -9,7 +9,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from motes.directions import half_difference
 from motes.fitting.losses import Floats
 
 Labels = NDArray[np.intp]
@@ -61,11 +60,11 @@ def _cut(at: Floats, part: Labels, count: int) -> list[Labels]:
     if count < 2:
         return [part]
     first = count // 2
-    for axis in np.argsort(-np.ptp(at, axis=1), kind="stable"):
+    for axis in np.argsort(at.min(axis=1) - at.max(axis=1), kind="stable"):
         beyond = end_of_first(at[axis], first / count)
         if beyond is not None:
             before = at[axis] < beyond
-            sides = (np.flatnonzero(before), first), (np.flatnonzero(~before), count - first)
+            sides = (before.nonzero()[0], first), ((~before).nonzero()[0], count - first)
             return [block for rows, n in sides for block in _cut(at.take(rows, axis=1), part.take(rows), n)]
     return [part]
 
@@ -85,14 +84,19 @@ def end_of_first(along: Floats, share: float) -> float | None:
 
 def _nearest_cut(sorted_: Floats, target: float, least: int) -> float | None:
     """The number that begins the second part, of two places, with at least so many numbers in each; the parts as close to `target` as can be."""
-    cuts = np.flatnonzero(np.diff(sorted_) > SAME) + 1
-    cuts = cuts[(cuts >= least) & (cuts <= len(sorted_) - least)]
-    return float(sorted_[cuts[np.argmin(np.abs(cuts - target))]]) if len(cuts) else None
+    apart = sorted_[least:] - sorted_[least - 1 : -1] > SAME
+    cuts = apart[: len(apart) - least + 1].nonzero()[0] + least
+    return float(sorted_[cuts[np.abs(cuts - target).argmin()]]) if len(cuts) else None
 
 
 def coordinates(wi: Floats, wo: Floats) -> Floats:
     """Coordinates (N, 3) [rad] of what a reciprocal, isotropic surface can tell apart."""
-    theta_h, theta_d, phi_d = half_difference(wi, wo)
-    either = np.abs(phi_d)
-    quarter = np.minimum(either, np.pi - either)
-    return np.stack([theta_h, theta_d, np.sin(theta_h) * np.sin(theta_d) * quarter], axis=-1)
+    # As `motes.directions.half_difference` has them, without the frame of the half vector: by the sum of the two, by their difference, and
+    # by sin(theta_h) sin(theta_d) times the cosine and the sine of the azimuth, which are half the difference of heights and a triple product.
+    (ix, iy, iz), (ox, oy, oz) = (np.asarray(w, float).T for w in (wi, wo))
+    across = (ix + ox) ** 2 + (iy + oy) ** 2
+    total = np.maximum(across + (iz + oz) ** 2, 1e-300)
+    apart = (ix - ox) ** 2 + (iy - oy) ** 2 + (iz - oz) ** 2
+    along, aside = 0.5 * np.abs(iz - oz), np.abs(ix * oy - iy * ox) / np.sqrt(total)
+    folded = np.sqrt(along * along + aside * aside) * np.arctan2(aside, along)
+    return np.stack([np.arctan2(np.sqrt(across), iz + oz), np.arctan2(np.sqrt(apart), np.sqrt(total)), folded], axis=-1)

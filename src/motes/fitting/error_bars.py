@@ -129,7 +129,7 @@ def together(misses: Floats, labels: Labels) -> bool:
     largest = max(float(misses.max(initial=0.0)), -float(misses.min(initial=0.0)), 1e-300)
     for r in (misses / largest, np.nan_to_num(np.sign(misses))):
         squared = np.square(r)
-        of_directions = [np.sum(power, axis=(0, 2)) for power in (r, squared, np.square(squared))]
+        of_directions = [np.einsum("tnc->n", power) for power in (r, squared, np.square(squared))]
         of_blocks = [np.bincount(labels, power) for power in of_directions]
         for sums, squares, fourths in (of_directions, of_blocks):
             excess = np.sum(sums**2) - np.sum(squares)

@@ -52,10 +52,14 @@ def missing_fresnel(fit: Fit | TimeFit) -> list[str]:
 def by_angle(fit: Fit | TimeFit) -> tuple[Floats, Floats]:
     """Near the mirror direction: mean angles of incidence on the facets (k,), from steep to grazing, and the sum of what was measured over that of the fit."""
     data = fit.measurement
-    theta_h, theta_d, _ = half_difference(data.wi, data.wo)
+    wh = data.wi + data.wo
+    near = np.flatnonzero(wh[:, 2] > np.cos(NEAR) * np.sqrt(np.einsum("nk,nk->n", wh, wh)))
+    theta_d = half_difference(data.wi[near], data.wo[near])[1]
     fitted = np.broadcast_to(fit.predicted, data.values.shape)
-    used = data.mask & (theta_h < NEAR)[:, None]
-    measured, modelled = (np.where(used, part, 0.0).sum(axis=(0, 2)) * data.wi[:, 2] for part in (data.values, fitted))
+    used, cosines = data.mask[:, near], data.wi[near, 2]
+    measured, modelled = (
+        np.where(used, part[:, near], 0.0).sum(axis=(0, 2)) * cosines for part in (data.values, fitted)
+    )
     angles, ratio = [], []
     for low, high in itertools.pairwise(EDGES):
         rows = used.any(axis=(0, 2)) & (theta_d >= low) & (theta_d < high)

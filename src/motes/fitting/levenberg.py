@@ -15,7 +15,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from motes.arrays import Array
-from motes.fitting.algebra import Algebra, absolute, flag, outer, with_diagonal
+from motes.fitting.algebra import Algebra, absolute, chosen, flag, outer, with_diagonal
 from motes.fitting.verdicts import Status
 
 FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 1e-3, 1e-10, 1e12
@@ -115,22 +115,32 @@ def held(algebra: Algebra, at: At, box: Box, fixed: Array, brightness: Array) ->
     x, gradient = at.x, at.gradient
     size = algebra.maximum(absolute(algebra, x), 1e-3 * box.unit)
     unseen = flag(algebra, algebra.less(algebra.diagonal(at.matrix) * size * size, BLIND * brightness + 1e-300))
-    at_low = algebra.where(algebra.less(box.low, x), 0.0, flag(algebra, algebra.less(0.0 * gradient, gradient)))
-    at_high = algebra.where(algebra.less(x, box.high), 0.0, flag(algebra, algebra.less(gradient, 0.0 * gradient)))
+    at_low = algebra.where(algebra.less(box.low, x), 0.0, flag(algebra, algebra.less(0.0, gradient)))
+    at_high = algebra.where(algebra.less(x, box.high), 0.0, flag(algebra, algebra.less(gradient, 0.0)))
     return algebra.maximum(algebra.maximum(unseen, fixed), algebra.maximum(at_low, at_high))
 
 
-def bounded_step(algebra: Algebra, at: At, damping: Array, box: Box, stopped: Array, given: Array) -> Step:
-    """Solve (H + damping diag H) step = -gradient for what is not `stopped`, whose steps are `given`; then stop what leaves the box."""
-    diagonal = algebra.diagonal(at.matrix)
+def scale_of(algebra: Algebra, matrix: Array, box: Box) -> Array:
+    """Parameters (P, B) at which the matrix has a diagonal of 1: Marquardt's scale."""
+    diagonal = algebra.diagonal(matrix)
     square = box.unit * box.unit  # diagonals of other units are compared in theirs
     floor = algebra.maximum(1e-20 * algebra.largest(diagonal * square) / square, 1e-300)
-    scale = 1.0 / algebra.sqrt(algebra.maximum(diagonal, floor))
+    return 1.0 / algebra.sqrt(algebra.maximum(diagonal, floor))
+
+
+def bounded_step(
+    algebra: Algebra, at: At, damping: Array, box: Box, stopped: Array, given: Array | None, scale: Array
+) -> Step:
+    """Solve (H + damping diag H) step = -gradient for what is not `stopped`, whose steps are `given`; then stop what leaves the box.
+
+    `given` is None where all of them are 0; `scale` as `scale_of` finds it.
+    """
     free = 1.0 - stopped
-    against = at.gradient + algebra.times(at.matrix, stopped * given)
-    scaled = with_diagonal(at.matrix * outer(scale * free), 1.0 + free * damping)
-    solved = algebra.solve(scaled, -(against * scale * free)) * scale
-    wanted = algebra.where(algebra.less(0.5 + 0.0 * stopped, stopped), given, solved)
+    against = at.gradient if given is None else at.gradient + algebra.times(at.matrix, stopped * given)
+    scaling = scale * free
+    scaled = with_diagonal(at.matrix * outer(scaling), 1.0 + free * damping)
+    solved = algebra.solve(scaled, -(against * scaling)) * scale
+    wanted = solved if given is None else chosen(algebra, stopped, given, solved)
     within = algebra.minimum(algebra.maximum(wanted, box.low - at.x), box.high - at.x)
     leaves = free * algebra.maximum(
         flag(algebra, algebra.less(within, wanted)), flag(algebra, algebra.less(wanted, within))
@@ -146,26 +156,26 @@ def proposal(
     moved = algebra.minimum(algebra.maximum(x + step, box.low), box.high)
     delta = moved - x
     promised = -algebra.total(delta * (at.gradient + 0.5 * algebra.times(at.matrix, delta)))
-    full = flag(algebra, algebra.less(damping.size, FULL_STEP + 0.0 * damping.size))
+    full = flag(algebra, algebra.less(damping.size, FULL_STEP))
     # Any step is small once it is damped enough: what it promises must be rounding then.
     nothing = flag(algebra, algebra.less(promised, 1e-13 * objective + 1e-6 * noise))
     away = algebra.largest(absolute(algebra, delta) / (absolute(algebra, x) + SMALL_STEP * box.unit))
-    small = flag(algebra, algebra.less(away, SMALL_STEP + 0.0 * away))
+    small = flag(algebra, algebra.less(away, SMALL_STEP))
     converged = flag(algebra, algebra.less(promised, precision.reduction * objective + 1e-2 * noise + 1e-300))
     zero = 0.0 * objective
-    perfect = PERFECT * algebra.where(algebra.less(zero, brightness + zero), brightness + zero, 1.0 + zero)
+    perfect = PERFECT * algebra.where(algebra.less(0.0, brightness), brightness, 1.0)
     ending = zero
     for code, condition in (  # the first that holds wins
-        (5.0, flag(algebra, algebra.less(MOST_DAMPING + zero, damping.size))),
-        (4.0, flag(algebra, algebra.less(PATIENCE - 0.5 + zero, damping.idle))),
+        (5.0, flag(algebra, algebra.less(MOST_DAMPING, damping.size))),
+        (4.0, flag(algebra, algebra.less(PATIENCE - 0.5, damping.idle))),
         (
             3.0,
-            algebra.maximum(small * full, nothing * algebra.maximum(small, flag(algebra, algebra.less(zero, noise)))),
+            algebra.maximum(small * full, nothing * algebra.maximum(small, flag(algebra, algebra.less(0.0, noise)))),
         ),
         (2.0, converged * full),
         (1.0, flag(algebra, algebra.less(objective, perfect))),
     ):
-        ending = algebra.where(algebra.less(0.5 + zero, condition), code, ending)
+        ending = chosen(algebra, condition, code, ending)
     return Proposal(moved, algebra.maximum(promised, zero), ending)
 
 
@@ -177,12 +187,11 @@ def judged(
     better = flag(algebra, algebra.less(trial, objective + noise))
     surprise = 2.0 * ((objective - trial + noise) / (promised + noise + 1e-300)) - 1.0
     factor = algebra.minimum(algebra.maximum(1.0 - surprise * surprise * surprise, 0.2), 2.0)
-    taken = algebra.less(0.5 + 0.0 * better, better)
     shrunk = algebra.less(HARDLY * reduction * objective + noise, objective - trial)
     after = Damping(
-        algebra.maximum(damping.size * algebra.where(taken, factor, damping.growth), LEAST_DAMPING),
-        algebra.where(taken, FIRST_GROWTH, 2.0 * damping.growth),
-        algebra.where(taken, algebra.where(shrunk, 0.0, damping.idle + 1.0), damping.idle),
+        algebra.maximum(damping.size * chosen(algebra, better, factor, damping.growth), LEAST_DAMPING),
+        chosen(algebra, better, FIRST_GROWTH, 2.0 * damping.growth),
+        chosen(algebra, better, algebra.where(shrunk, 0.0, damping.idle + 1.0), damping.idle),
     )
     return Judgement(better, after)
 

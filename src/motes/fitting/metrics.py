@@ -10,13 +10,16 @@ from numpy.typing import NDArray
 
 from motes.fitting.losses import LOSSES, Floats
 
+# Samples, or directions, that are worked on at a time.
+BLOCK = 8192
 # The median of the size of normal noise is its standard deviation over this.
 MEDIAN_TO_DEVIATION = 1.4826
 
 
 def rms(x: Floats) -> float:
     """The root mean square; NaN of nothing."""
-    return float(np.sqrt(np.mean(np.square(x)))) if x.size else math.nan
+    flat = x.reshape(-1)
+    return math.sqrt(float(flat @ flat) / flat.size) if flat.size else math.nan
 
 
 def relative_rms(fitted: Floats, measured: Floats) -> float:
@@ -25,15 +28,20 @@ def relative_rms(fitted: Floats, measured: Floats) -> float:
 
 
 def distances(fitted: Floats, measured: Floats, cosines: Floats) -> dict[str, float]:
-    """The relative RMS, and the root mean square of the residuals of each loss, over samples (n,) that are not masked.
+    """The relative RMS, and the root mean square of the residuals of each loss, over samples (n,) or (n, C) that are not masked.
 
     NaN for a loss that has no value at a sample: the logarithm of large negative noise.
     """
-    found = {"relative_rms": relative_rms(fitted, measured)}
+    # In blocks that stay in cache: each transform makes several arrays.
+    sums = dict.fromkeys(LOSSES, 0.0)
     with np.errstate(invalid="ignore", divide="ignore"):
-        for name, loss in LOSSES.items():
-            found[f"rms_{name}"] = rms(loss.transform(fitted, cosines) - loss.transform(measured, cosines))
-    return found
+        for first in range(0, len(fitted), BLOCK):
+            f, m, c = (part[first : first + BLOCK] for part in (fitted, measured, cosines))
+            for name, loss in LOSSES.items():
+                away = loss.transform(f, c) - loss.transform(m, c)
+                sums[name] += float(np.vdot(away, away))
+    found = {f"rms_{name}": math.sqrt(total / fitted.size) if fitted.size else math.nan for name, total in sums.items()}
+    return {"relative_rms": relative_rms(fitted, measured)} | found
 
 
 def deviation(residuals: NDArray[np.floating[Any]], unit: float = 1.0) -> Floats:

@@ -63,10 +63,10 @@ def origin_of(data: Measurement, options: Mapping[str, Any]) -> Origin:
 def digest(data: Measurement) -> str:
     """The SHA-256 of a measurement's numbers: wi, wo, times, values (NaN where masked), weights and uncertainties, as little-endian float64 in C order."""
     total = hashlib.sha256()
-    values = np.where(data.mask, data.values, np.nan)
+    values = data.values if data.mask.all() else np.where(data.mask, data.values, np.nan)
     for array in (data.wi, data.wo, data.times, values, data.weights, data.uncertainties):
         if array is not None:
-            total.update(np.ascontiguousarray(array, "<f8").tobytes())
+            total.update(np.ascontiguousarray(array, "<f8").data)
     return total.hexdigest()
 
 

@@ -7,10 +7,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from motes.arrays import any_last
 from motes.directions import from_spherical, theta
 from motes.fitting.grazing import missing_fresnel
 from motes.fitting.result import Fit
@@ -171,9 +173,10 @@ def _backward(fit: Fit | TimeFit) -> list[str]:
 def _unseen_roughness(fit: Fit | TimeFit) -> list[str]:
     """A camera, or a lamp, that stays where the roughness of the diffuse part does nothing but darken."""
     data = fit.measurement
-    used = data.mask.any(axis=(0, 2))
+    used: Any = any_last(data.mask).any(axis=0)
     if not used.any():
         return []
+    used = slice(None) if used.all() else used  # no copies of large data
     for name, _, _ in _values(fit, Role.DIFFUSE_ROUGHNESS):
         for what, w in (("viewer", data.wo[used]), ("light", data.wi[used])):
             farthest = float(theta(w[np.argmin(w[:, 2])]))

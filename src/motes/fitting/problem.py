@@ -8,6 +8,7 @@ takes twice as long."""
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from copy import copy
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, Self, TypeVar
@@ -136,16 +137,33 @@ class Problem(Objective):
             for channel in (channels if q.per_channel else ("",))
         )
 
+    def _with(self, **changes: Any) -> Self:
+        """A copy with other attributes, what is computed of the directions among them; without what was found so far."""
+        other = copy(self)
+        for name in ("_brightness", "_last"):
+            other.__dict__.pop(name, None)
+        for name, value in changes.items():
+            object.__setattr__(other, name, value)
+        return other
+
     def with_scale(self, robust: Robust, scale: float) -> Self:
         """The same data under a robust function."""
-        return replace(self, robust=robust, scale=scale)
+        return self._with(robust=robust, scale=scale)
 
     def at_directions(self, rows: NDArray[np.intp]) -> Self:
-        values, weights = self.values[..., rows, :], self.weights[..., rows, :]
-        return replace(self, wi=self.wi[rows], wo=self.wo[rows], values=values, weights=weights)
+        return self._with(
+            wi=self.wi[rows],
+            wo=self.wo[rows],
+            values=self.values[..., rows, :],
+            weights=self.weights[..., rows, :],
+            _columns=tuple(column[rows] if len(column) > 1 else column for column in self._columns),
+            _cosines=self._cosines[rows],
+            _targets=self._targets[..., rows],
+            _roots=self._roots[..., rows],
+        )
 
     def counting(self, times: Floats) -> Self:
-        return replace(self, weights=self.weights * times[:, None])
+        return self._with(weights=self.weights * times[:, None], _roots=self._roots * np.sqrt(times))
 
     def some_channels(self, channels: NDArray[np.intp]) -> Self:
         """The problem at some of the channels."""
@@ -225,7 +243,9 @@ class Problem(Objective):
 
     def misses(self, x: Floats) -> Floats:
         residual = self.residuals(x)
-        return np.asarray((residual * self.robust.slope((residual / self.scale) ** 2))[None])
+        if self.robust.name != "none":
+            residual = residual * self.robust.slope((residual / self.scale) ** 2)
+        return residual[None]
 
     def spread(self, x: Floats, inverse: Floats, sets: NDArray[np.intp] | None = None) -> Floats:
         """The middle of the sandwich estimator (P, P): the sum of (psi / (1 - h))^2 J' J for one parameter vector.
@@ -394,6 +414,8 @@ def _directions_last(array: Floats) -> Floats:
 
 def even_channels(used: NDArray[Any]) -> NDArray[np.intp] | None:
     """Channels that stand for all of those with samples, `used` (..., C) being true for a sample; None where all are taken."""
+    if used.shape[-1] <= 2 * CHANNELS:
+        return None
     usable = np.flatnonzero(used.any(axis=tuple(range(used.ndim - 1))))
     if len(usable) <= 2 * CHANNELS:
         return None

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from motes.arrays import any_last
 from motes.errors import DataError, MotesError
 from motes.fitting.columns import unit_of
 from motes.fitting.losses import LOSSES, ROBUST, Floats, Loss
@@ -109,9 +110,9 @@ def prepare(data: Measurement, model: str | BRDF, wishes: Wishes, lenient: bool 
     unit = unit_of(data.values, data.mask)
     loss = LOSSES[wishes.loss].of_unit(unit)
     full, factor = sample_weights(data, wishes.weights, loss)
-    used: Any = full.any(axis=(0, 2))
+    used: Any = any_last(full).any(axis=0)
     used = slice(None) if used.all() else used  # no copies of large data
-    values = np.where(full > 0, data.values, 0.0)[:, used]
+    values = (data.values if full.all() else np.where(full > 0, data.values, 0.0))[:, used]
     full = full[:, used]
     if not values.any():
         raise DataError(

@@ -119,11 +119,14 @@ def minimize(
                     break
             at = At(lanes.x.T, lanes.objective, lanes.gradient.T, lanes.matrix.transpose(1, 2, 0))
             stopped = levenberg.held(algebra, at, box, lanes.fixed.T, lanes.bright)
-            step = np.zeros(at.x.shape)
+            step, scale = None, levenberg.scale_of(algebra, at.matrix, box)
             for _round in range(levenberg.ROUNDS):
-                step, stopped, leaving = levenberg.bounded_step(algebra, at, lanes.damping.size, box, stopped, step)
+                step, stopped, leaving = levenberg.bounded_step(
+                    algebra, at, lanes.damping.size, box, stopped, step, scale
+                )
                 if not leaving.any():
                     break
+            assert step is not None
             proposed = levenberg.proposal(algebra, at, lanes.damping, step, box, precision, lanes.bright)
             moved, promised = proposed.moved.T, proposed.promised
             ended = proposed.ending > 0

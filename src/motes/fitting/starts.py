@@ -42,7 +42,7 @@ def starting_points(problem: Problem, given: Floats | None, most: int) -> Floats
     grey, brightness = _grey(problem)
     grid = _grid(grey)
     gridded = np.array([bool(q.parameter.starts) for q in grey.quantities])
-    coarse = grey.solve(grid, held=gridded, max_iterations=6)
+    coarse = grey.solve(grid, held=gridded, max_iterations=6, reduction=1e-3)
     order = np.argsort(coarse.normal.objective, kind="stable")
     chosen = coarse.x[_spread_out(coarse.x, order, gridded)]
     ends = _ends(grey, chosen)

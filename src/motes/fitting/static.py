@@ -70,13 +70,17 @@ def fit_scan(data: Measurement, model: str | BRDF, wishes: Wishes, progress: Pro
 def _starts(problem: Problem, given: Floats | None) -> Floats:
     """Where the fit of a problem starts (B, P): many points, or few of them where a pass over the data is costly."""
     work = len(problem.wi) * problem.channels
-    starts = starting_points(problem, given, most=int(np.clip(600_000 // work, 3, 16)))
-    # With much data a part of it says nearly the same: thin the starts out on growing parts first.
-    for samples, most in ((20_000, 3), (PART_SAMPLES, 1)):
+    # With much data a part of it says nearly the same: the starts are found on the largest and thinned out on growing ones.
+    parts: list[tuple[Problem, int]] = []
+    for samples, most in ((PART_SAMPLES, 1), (20_000, 3)):
         if work > 3 * samples:
-            part = problem.at_directions(even_rows(len(problem.wi), max(200, samples // problem.channels)))
-            rough = part.solve(starts, max_iterations=60, reduction=1e-7)
-            starts = rough.x[np.argsort(rough.normal.objective, kind="stable")[:most]]
+            whole = parts[-1][0] if parts else problem
+            rows = even_rows(len(whole.wi), max(200, samples // problem.channels))
+            parts.append((whole.at_directions(rows), most))
+    starts = starting_points(parts[0][0] if parts else problem, given, most=int(np.clip(600_000 // work, 3, 16)))
+    for part, most in reversed(parts):
+        rough = part.solve(starts, max_iterations=60, reduction=1e-7)
+        starts = rough.x[np.argsort(rough.normal.objective, kind="stable")[:most]]
     return starts
 
 
@@ -154,10 +158,12 @@ class _Attempt:
         return self.solution.status[self.solution.best()]
 
     def metrics(self, data: Measurement, predicted: Floats) -> dict[str, float]:
-        mask = data.mask[0]
-        cosines = np.broadcast_to(data.wi[:, 2:3], mask.shape)[mask]
+        mask, cosines = data.mask[0], data.wi[:, 2:3]
+        samples = (predicted, data.values[0], cosines)
+        if not mask.all():
+            samples = tuple(np.broadcast_to(part, mask.shape)[mask] for part in samples)
         return (
-            distances(predicted[mask], data.values[0][mask], cosines)
+            distances(*samples)
             | {
                 "objective": self.objective,
                 "bic": self.bic,
@@ -169,8 +175,8 @@ class _Attempt:
 
     @cached_property
     def relative_rms(self) -> float:
-        mask = self.data.mask[0]
-        return relative_rms(self.predicted[mask], self.data.values[0][mask])
+        mask, values = self.data.mask[0], self.data.values[0]
+        return relative_rms(self.predicted, values) if mask.all() else relative_rms(self.predicted[mask], values[mask])
 
     def trial(self) -> Trial:
         return Trial(

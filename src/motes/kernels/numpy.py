@@ -88,12 +88,19 @@ class FitFunction:
             for w in (np.asarray(wi, np.float64), np.asarray(wo, np.float64))
             for k in range(3)
         ]
-        count, columns = len(axes[0]), []
+        count = len(axes[0])
         with np.errstate(all="ignore"):
-            for first in range(0, max(1, count), BLOCK):  # whose intermediate results stay in cache
-                columns.append(self._geometry(*(axis[first : first + BLOCK, None] for axis in axes)))
-        parts = list(zip(*columns, strict=True))
-        return tuple(np.concatenate(part) if len(part[0]) == min(count, BLOCK) else part[0] for part in parts)
+            columns = self._geometry(*(axis[:BLOCK, None] for axis in axes))
+            if count <= BLOCK:
+                return columns
+            whole = tuple(np.empty((count, 1)) if len(column) == BLOCK else column for column in columns)
+            for first in range(0, count, BLOCK):  # whose intermediate results stay in cache
+                rows = slice(first, first + BLOCK)
+                columns = self._geometry(*(axis[rows, None] for axis in axes)) if first else columns
+                for column, part in zip(whole, columns, strict=True):
+                    if len(column) == count:
+                        column[rows] = part
+        return whole
 
     def values(self, geometry: Columns, parameters: Mapping[str, Any]) -> Any:
         """The BRDF [1/sr].

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes import directions
+from motes.arrays import any_last
 from motes.measurements.fillers import fillers
 from motes.measurements.measurement import Measurement
 
@@ -22,6 +23,7 @@ FEWEST = 20  # samples that a statement needs
 MOST_ROWS = 2000  # directions that the sides of the highlight are compared with
 MOST_REPEATED = 100_000  # directions among which repeated ones are looked for
 WIDTHS = (0.05, 0.1, 0.2, 0.35, 0.5)  # of highlights [rad]
+RIDGE = 1e-10  # of squares that are 1
 BETTER = 0.25  # the turned azimuths must leave so much of the squared residuals, or less
 
 
@@ -117,9 +119,11 @@ def _side(data: Measurement) -> list[str]:
     f, wi, wo = _grey(data)
     if len(f) < FEWEST:
         return []
-    fits = [_explained(wi, w, f) for w in (wo, wo * np.array([-1.0, -1.0, 1.0]))]
-    (given, _), (turned, share) = fits
-    if turned > BETTER * given or share < 0.03 or given < 1e-4:
+    given, _ = _explained(wi, wo, f)
+    if given < 1e-4:
+        return []
+    turned, share = _explained(wi, wo * np.array([-1.0, -1.0, 1.0]), f)
+    if turned > BETTER * given or share < 0.03:
         return []
     how = (
         "--read azimuth=mirror reads them so."
@@ -155,14 +159,16 @@ def _explained(wi: Floats, wo: Floats, f: Floats) -> tuple[float, float]:
     matrix, target = np.stack(lobes, axis=1) * cos_i[:, None], f * cos_i
     scale = np.linalg.norm(matrix, axis=0)
     matrix = matrix / np.maximum(scale, 1e-300)
-    gram, onto = matrix.T @ matrix, matrix.T @ target
+    # Lobes may be alike; the ridge takes the smallest weights then.
+    gram, onto = matrix.T @ matrix + RIDGE * np.eye(matrix.shape[1]), matrix.T @ target
     used = np.ones(matrix.shape[1], bool)
     weights = np.zeros(matrix.shape[1])
     while (
         used.any()
     ):  # leave out what would be negative: an approximation of non-negative least squares that is good enough here
         weights[:] = 0
-        weights[used] = np.linalg.lstsq(gram[np.ix_(used, used)], onto[used], rcond=None)[0]
+        rows = np.flatnonzero(used)
+        weights[rows] = np.linalg.solve(gram[rows[:, None], rows], onto[rows])
         if weights.min() >= 0:
             break
         used[int(np.argmin(weights))] = False
@@ -190,11 +196,12 @@ def _wavelengths(data: Measurement) -> list[str]:
 def _channels(data: Measurement) -> list[str]:
     """Channels that hold one number, or the same numbers."""
     found = []
-    usable = data.mask.all(axis=2) if data.n_channels <= 3 else data.mask.any(axis=2)
+    usable = ~any_last(~data.mask) if data.n_channels <= 3 else any_last(data.mask)
     if np.count_nonzero(usable) < FEWEST:
         return []
-    values = data.values[usable]
-    constant = [k for k in range(data.n_channels) if np.nanmin(values[:, k]) == np.nanmax(values[:, k])]
+    values = data.values.reshape(-1, data.n_channels) if usable.all() else data.values[usable]
+    few = values[:FEWEST]  # which tell as a rule, so that the rest need not be looked at
+    constant = [k for k in range(data.n_channels) if _one_number(few[:, k]) and _one_number(values[:, k])]
     if constant:
         names = ", ".join(data.channels[k] for k in constant[:5])
         found.append(
@@ -202,10 +209,19 @@ def _channels(data: Measurement) -> list[str]:
         )
     firsts: dict[bytes, int] = {}
     for k in range(data.n_channels):
-        first = firsts.setdefault(np.ascontiguousarray(values[:, k]).tobytes(), k)
+        first = firsts.setdefault(few[:, k].tobytes(), k)
+        if first != k:
+            first = firsts.setdefault(values[:, first].tobytes(), first)
+            first = firsts.setdefault(values[:, k].tobytes(), k)
         if first != k and k not in constant:
             found.append(f"The channels {data.channels[first]} and {data.channels[k]} hold the same numbers.")
     return found[:3]
+
+
+def _one_number(values: Floats) -> bool:
+    """Whether there is no other; NaN is none."""
+    numbers = values[~np.isnan(values)]
+    return not len(numbers) or bool(numbers.min() == numbers.max())
 
 
 def _rows(data: Measurement) -> list[str]:
@@ -250,8 +266,10 @@ def _dark(data: Measurement) -> list[str]:
     """More negative samples than noise about 0 has."""
     found = []
     usable = data.mask
-    n = usable.sum(axis=(0, 1))
-    negative = ((data.values < 0) & usable).sum(axis=(0, 1))
+    below = (data.values < 0) & usable
+    if not below.any():
+        return []
+    n, negative = usable.sum(axis=(0, 1)), below.sum(axis=(0, 1))
     for c in np.flatnonzero((n >= FEWEST) & (negative > 0.5 * n + 2 * np.sqrt(n))):
         found.append(
             f"{negative[c] / n[c]:.0%} of the samples of {data.channels[c]} are below 0, and noise about 0 has half: "

@@ -43,7 +43,9 @@ def step_functions(size: int, form: str) -> list[str]:
     held = lane_function(
         "held", [state, box, own], [Target("stops", "D", [*algebra.lifted(stuck), *algebra.lifted(np.zeros(size))])]
     )
-    step = levenberg.bounded_step(algebra, at, damping.size, bounds, stopped, given)
+    step = levenberg.bounded_step(
+        algebra, at, damping.size, bounds, stopped, given, levenberg.scale_of(algebra, matrix, bounds)
+    )
     results = [*algebra.lifted(step.stopped), *algebra.lifted(step.step), *algebra.lifted(step.leaving)]
     bounded_step = lane_function("bounded_step", [state, box, stops], [Target("next_stops", "D", results)])
     proposed = levenberg.proposal(algebra, at, damping, given, bounds, precision, brightness)
