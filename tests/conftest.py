@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
+from blender_support import NEEDED, interpreters, named, there
 from skips import (
     SHARED,
     pytest_make_collect_report,  # noqa: F401 (a hook)
@@ -60,6 +61,15 @@ def kernels(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("MOTES_CACHE", str(folder))
         yield folder
+
+
+@pytest.fixture(scope="session", params=interpreters(), ids=named)
+def blender(request: pytest.FixtureRequest) -> str:
+    """A Python that has the package bpy: each of those that `MOTES_BPY` names in turn."""
+    python: str = request.param
+    if not there(python):
+        pytest.skip(NEEDED)
+    return python
 
 
 @pytest.fixture(scope="module", autouse=True)

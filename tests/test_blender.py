@@ -1,6 +1,6 @@
 """Blender's extension: what it is built of, and what it does in Blender, against Motes.
 
-The tests in Blender need a Python with the package bpy (see tests/test_exports_osl.py): set MOTES_BPY to its interpreter.
+The tests in Blender need a Python with the package bpy (see docs/blender.md): set MOTES_BPY to its interpreter, or to several.
 """
 
 from __future__ import annotations
@@ -8,7 +8,6 @@ from __future__ import annotations
 import importlib.util
 import json
 import os
-import shutil
 import subprocess
 import zipfile
 from dataclasses import replace
@@ -100,15 +99,12 @@ def test_the_shader_says_what_it_is() -> None:
 
 
 @pytest.fixture(scope="module")
-def found(build: ModuleType, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Floats]:
+def found(build: ModuleType, blender: str, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Floats]:
     """What tests/blender_dust.py saw in Blender, the extension being installed from its zip."""
-    python = os.environ.get("MOTES_BPY", "")
-    if not python or not shutil.which(python):
-        pytest.skip("MOTES_BPY does not name a Python with the package bpy (pip install 'bpy==5.0.*' 'numpy<2')")
     folder = tmp_path_factory.mktemp("blender")
     extension, result = build.build(folder), folder / "result.npz"
     environment = {**os.environ, "BLENDER_USER_RESOURCES": str(folder / "user")}
-    command = [python, str(SCRIPT), str(extension), str(result), str(SIDE)]
+    command = [blender, str(SCRIPT), str(extension), str(result), str(SIDE)]
     done = subprocess.run(command, capture_output=True, text=True, timeout=300, env=environment, check=False)
     assert result.is_file(), done.stdout[-2000:] + done.stderr[-2000:]
     return dict(np.load(result))
@@ -203,11 +199,8 @@ def test_days_animate_and_dust_comes_off(found: dict[str, Floats]) -> None:
 
 
 @pytest.mark.slow
-def test_materials_are_imported(build: ModuleType, tmp_path: Path) -> None:
+def test_materials_are_imported(build: ModuleType, blender: str, tmp_path: Path) -> None:
     """A fitted material of two moments becomes a node group with the values that the export's script gives its node, over frames too."""
-    python = os.environ.get("MOTES_BPY", "")
-    if not python or not shutil.which(python):
-        pytest.skip("MOTES_BPY does not name a Python with the package bpy (pip install 'bpy==5.0.*' 'numpy<2')")
     moments = (
         Principled((0.3, 0.2, 0.1), 0.2, roughness=0.2, ior=1.6),
         Principled((0.6, 0.4, 0.2), 0.4, roughness=0.7, sheen_weight=0.3, sheen_tint=(1.0, 0.8, 0.6)),
@@ -221,7 +214,7 @@ def test_materials_are_imported(build: ModuleType, tmp_path: Path) -> None:
     Material(Lambert(0.5)).save(tmp_path / "material.json")
     files = [script, tmp_path / "rock_fit.json", tmp_path / "material.json", result]
     environment = {**os.environ, "BLENDER_USER_RESOURCES": str(tmp_path / "user")}
-    command = [python, str(SCRIPT.with_name("blender_import.py")), str(build.build(tmp_path)), *map(str, files)]
+    command = [blender, str(SCRIPT.with_name("blender_import.py")), str(build.build(tmp_path)), *map(str, files)]
     done = subprocess.run(command, capture_output=True, text=True, timeout=300, env=environment, check=False)
     assert result.is_file(), done.stdout[-2000:] + done.stderr[-2000:]
     found = json.loads(result.read_text())

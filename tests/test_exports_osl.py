@@ -1,11 +1,10 @@
 """OSL shaders in Blender's Cycles: the value against NumPy, the closures against the albedo.
 
-They need a Python with the package bpy 5.0 (numpy < 2, so an environment of its own): set MOTES_BPY to its interpreter.
+They need a Python with the package bpy (5.0 wants numpy < 2, so an environment of its own): set MOTES_BPY to its interpreter, or to several.
 """
 
 from __future__ import annotations
 
-import os
 import re
 import shutil
 import subprocess
@@ -25,14 +24,6 @@ WI, WO = directions()
 MULTIPLE = DustLayer(PLASTER + COAT, Dust((0.9, 0.8, 0.6), 0.3), tau=0.4, scattering="multiple")
 
 
-def blender() -> str:
-    """The interpreter that has bpy."""
-    python = os.environ.get("MOTES_BPY", "")
-    if not python or not shutil.which(python):
-        pytest.skip("MOTES_BPY does not name a Python with the package bpy (pip install 'bpy==5.0.*' 'numpy<2')")
-    return python
-
-
 def in_blender(python: str, shader: Path, output: str, inputs: str = "Light,View") -> np.ndarray:
     pairs, result = shader.with_suffix(".npz"), shader.with_suffix(".npy")
     np.savez(pairs, wi=WI, wo=WO)
@@ -46,10 +37,9 @@ def value_in_blender(python: str, shader: Path, model: BRDF, name: str, output: 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", MODELS)
-def test_value_against_numpy(name: str, tmp_path: Path) -> None:
-    python = blender()
+def test_value_against_numpy(name: str, blender: str, tmp_path: Path) -> None:
     shader = export(MODELS[name], "osl", tmp_path / "material.osl").files[0]
-    value_in_blender(python, shader, MODELS[name], name, "Reflectance", "Light,View")
+    value_in_blender(blender, shader, MODELS[name], name, "Reflectance", "Light,View")
 
 
 @pytest.mark.slow
@@ -64,22 +54,20 @@ def test_value_against_numpy(name: str, tmp_path: Path) -> None:
         ("dusty_multiple", 0.1),
     ],
 )
-def test_closures_keep_the_albedo(name: str, tolerance: float, tmp_path: Path) -> None:
+def test_closures_keep_the_albedo(name: str, tolerance: float, blender: str, tmp_path: Path) -> None:
     """Under a white sky, seen from above."""
-    python = blender()
     model = MULTIPLE if name == "dusty_multiple" else MODELS[name]
     shader = export(model, "osl", tmp_path / "material.osl").files[0]
-    found = in_blender(python, shader, "BSDF").mean(axis=0)
+    found = in_blender(blender, shader, "BSDF").mean(axis=0)
     albedo = np.broadcast_to(model.directional_albedo((0, 0, 1)), 3)
     np.testing.assert_allclose(found, albedo, rtol=tolerance)
 
 
 @pytest.mark.slow
-def test_a_spectrum_compiles(tmp_path: Path) -> None:
-    python = blender()
+def test_a_spectrum_compiles(blender: str, tmp_path: Path) -> None:
     shader = export(SPECTRAL, "osl", tmp_path / "material.osl").files[0]
     code = f"import bpy, _cycles, sys; sys.exit(not _cycles.osl_compile({str(shader)!r}, {str(tmp_path / 'x.oso')!r}))"
-    checked(python, "-c", code)
+    checked(blender, "-c", code)
 
 
 def test_oslc_accepts_it(tmp_path: Path) -> None:

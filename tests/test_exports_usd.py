@@ -29,7 +29,6 @@ from motes.meshes.mesh import Mesh
 from motes.meshes.shapes import plane, sphere
 from motes.models import Dust, DustLayer, GltfSurface, Lambert, OpenPBR, StandardSurface, Surface
 from shader_runners import checked
-from test_exports_osl import blender
 
 Run = Callable[..., tuple[int, str, str]]
 SIDE = 64
@@ -250,14 +249,14 @@ def test_what_has_no_dust_or_no_colours_is_refused() -> None:
 
 
 @pytest.mark.slow
-def test_drawn_by_storm_and_imported_by_blender(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_drawn_by_storm_and_imported_by_blender(blender: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A dusty ball on the last of its days: the nodes, and the preview, are what the tables say; with MaterialX at hand no validator finds anything."""
-    moderngl, python = pytest.importorskip("moderngl"), blender()
+    moderngl = pytest.importorskip("moderngl")
     monkeypatch.setenv("EGL_PLATFORM", "surfaceless")
     path = dusted(tmp_path / "ball.usda", [(0.0, 0 * ball()[1]), (8.0, ball()[1])], monkeypatch)
     packages, result = Path(moderngl.__file__).parents[1], tmp_path / "result.npz"
     script = Path(__file__).with_name("usd_in_programs.py")
-    checked(python, script, path, result, str(SIDE), packages, "/sphere/Looks/dusty", "/sphere/mesh")
+    checked(blender, script, path, result, str(SIDE), packages, "/sphere/Looks/dusty", "/sphere/mesh")
     found = np.load(result)
     assert found["validators"].tolist() == []
     x, y = np.meshgrid(*[(2 * np.arange(SIDE) + 1) / SIDE - 1] * 2)

@@ -17,16 +17,20 @@ from viewer_support import ROOT, chromium
 
 # The browser prints a page once it is loaded, which it is when the document in its frame is closed: GPUs answer in their own time.
 _PAGE = """<!doctype html><meta charset="utf-8"><title>test</title><pre id="result">nothing</pre><iframe id="open" hidden></iframe>
-<script>document.getElementById('open').contentDocument.open();</script>
+<script>
+const open = document.getElementById('open').contentDocument, out = document.getElementById('result');
+open.open();
+onerror = (told) => { out.textContent = JSON.stringify({ error: told }); open.close(); };  // of what cannot be read at all
+</script>
 <script id="job" type="application/json">JOB</script>
 <script type="importmap">{"imports": {"three": "./three/build/BUILD.js", "three/addons/": "./three/examples/jsm/"}}</script>
 <script type="module">
 import * as THREE from 'three';
 IMPORTS
-const job = JSON.parse(document.getElementById('job').textContent), out = document.getElementById('result');
+const job = JSON.parse(document.getElementById('job').textContent);
 try { out.textContent = JSON.stringify(await (async () => { SCRIPT })()); }
 catch (error) { out.textContent = JSON.stringify({ error: String(error.stack ?? error) }); }
-document.getElementById('open').contentDocument.close();
+open.close();
 </script>"""
 
 #: By renderer: the build of three.js that it is in, and the lines that make it, with what programs complain of.

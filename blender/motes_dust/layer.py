@@ -28,14 +28,14 @@ def cover(thing, dust, kind):
     """Put the group before the output of each material of an object; returns how many outputs there are."""
     if not any(slot.material for slot in thing.material_slots):
         material = bpy.data.materials.new(f"{thing.name} under dust")
-        material.use_nodes = True
         if thing.material_slots:
             thing.material_slots[0].material = material
         else:
             thing.data.materials.append(material)
     group, count = group_of(dust, kind), 0
     for material in {slot.material for slot in thing.material_slots if slot.material}:
-        material.use_nodes = True
+        if bpy.app.version < (5, 0):  # later all materials have nodes
+            material.use_nodes = True
         tree = material.node_tree
         for end in [node for node in tree.nodes if node.type == "OUTPUT_MATERIAL"]:
             links = end.inputs["Surface"].links
@@ -58,7 +58,7 @@ def cover(thing, dust, kind):
 
 def uncover(thing):
     """Take the groups off the materials of an object."""
-    for material in {slot.material for slot in thing.material_slots if slot.material and slot.material.use_nodes}:
+    for material in {slot.material for slot in thing.material_slots if slot.material and slot.material.node_tree}:
         tree = material.node_tree
         for node in [n for n in tree.nodes if n.get(MARK)]:
             source = node.inputs["Base"].links

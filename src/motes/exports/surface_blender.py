@@ -36,7 +36,8 @@ CHANGING = {changing}
 def principled(name):
     """The node of a material of that name, which is made where there is none."""
     material = bpy.data.materials.get(name) or bpy.data.materials.new(name)
-    material.use_nodes = True
+    if bpy.app.version < (5, 0):  # later all materials have nodes
+        material.use_nodes = True
     nodes, links = material.node_tree.nodes, material.node_tree.links
     nodes.clear()
     node, end = nodes.new("ShaderNodeBsdfPrincipled"), nodes.new("ShaderNodeOutputMaterial")
