@@ -28,29 +28,36 @@ def directional_albedo(model: Reflecting, channels: int, xp: Array, wi: Array, n
             for k in range(0, len(flat), step)
         ]
         return np.concatenate(parts).reshape(*shape, -1)
-    grid, grid_weights = _grid(nodes)
-    u, grid_weights = matching(grid, wi), matching(grid_weights, wi)
-    wi = broadcast(wi[..., None, :], (*wi.shape[:-1], len(grid), 3))
+    wi = broadcast(wi[..., None, :], (*wi.shape[:-1], nodes[0] * nodes[1], 3))
     with np.errstate(all="ignore"):
         # The same parts twice: with channels for their formulas, without for their lobes.
         formulas = [part.formula for part in lifted(model, xp, wi, extra_axes=1).components(xp, 1.0)]
         lobes = [part.lobe for part in averaged(model, wi, extra_axes=1).components(xp, 1.0)]
         total: Array = 0.0
         for formula, lobe in zip(formulas, lobes, strict=True):
+            u, weights = (matching(x, wi) for x in _grid(nodes, lobe.turns))
             wo = lobe.sample(xp, wi, broadcast(u, (*wi.shape[:-1], 2)))
             geometry = Geometry(xp, Vector.of(wi), Vector.of(wo))
             value = geometry.above_horizon(formula(xp, geometry))
             pdf = lobe.pdf(xp, wi, wo)[..., None]
             cosine = xp.maximum(wo[..., 2:3], 0.0)
             ratio = xp.where(pdf > 0, value * cosine / xp.maximum(pdf, 1e-30), 0.0)
-            total = total + (ratio * grid_weights[:, None]).sum(-2)
+            total = total + (ratio * weights[:, None]).sum(-2)
     return total
 
 
 @lru_cache(maxsize=16)
-def _grid(nodes: tuple[int, int]) -> tuple[Floats, Floats]:
-    """Points (n, 2) in the unit square and their weights (n,): Gauss-Legendre along the first axis, equal steps along the second."""
-    polar, weights = np.polynomial.legendre.leggauss(nodes[0])
-    steps = (np.arange(nodes[1]) + 0.5) / nodes[1]
-    grid = np.stack(np.meshgrid(0.5 * (polar + 1), steps, indexing="ij"), -1).reshape(-1, 2)
-    return grid, np.repeat(0.5 * weights / nodes[1], nodes[1])
+def _grid(nodes: tuple[int, int], turns: bool) -> tuple[Floats, Floats]:
+    """Points (n, 2) in the unit square and their weights (n,): Gauss-Legendre, but equal steps along an axis that is an angle."""
+    first, weights = _gauss(nodes[0])
+    second, others = _gauss(nodes[1])
+    if turns:
+        second, others = (np.arange(nodes[1]) + 0.5) / nodes[1], np.full(nodes[1], 1 / nodes[1])
+    grid = np.stack(np.meshgrid(first, second, indexing="ij"), -1).reshape(-1, 2)
+    return grid, np.outer(weights, others).ravel()
+
+
+def _gauss(count: int) -> tuple[Floats, Floats]:
+    """Nodes and weights on [0, 1]."""
+    x, weights = np.polynomial.legendre.leggauss(count)
+    return 0.5 * (x + 1), 0.5 * weights

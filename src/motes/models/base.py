@@ -175,7 +175,7 @@ class BRDF(Reflecting, ABC):
         """The share of light from ``wi`` that the surface reflects: the integral of eval cos(theta_r) over ``wo``.
 
         Each component is integrated in the coordinates of its own lobe: Gauss-Legendre along the polar angle, equal
-        steps in azimuth. About four digits with the default number of `nodes`; not the same as K_d, and for the models
+        steps in azimuth, or Gauss-Legendre along two slopes. About four digits with the default number of `nodes`; not the same as K_d, and for the models
         as printed it may exceed 1.
 
         Parameters
@@ -183,7 +183,7 @@ class BRDF(Reflecting, ABC):
         wi
             Unit vectors (..., 3).
         nodes
-            Numbers of steps in the polar angle and in azimuth.
+            Numbers of steps in the polar angle and in azimuth, or in the slopes.
 
         Returns
         -------

@@ -111,6 +111,7 @@ class VisibleBeckmannLobe(Lobe):
     routine for the Beckmann distribution", 2014)."""
 
     reflection: ClassVar[Reflection] = Reflection.GLOSSY
+    turns: ClassVar[bool] = False  # the numbers choose two slopes
 
     alpha: Array
 

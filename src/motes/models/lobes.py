@@ -32,6 +32,8 @@ class Lobe(ABC):
 
     #: What kind of reflection it is made for.
     reflection: ClassVar[Reflection]
+    #: Whether the second random number is an angle, over whose full turn equal steps integrate best.
+    turns: ClassVar[bool] = True
 
     @abstractmethod
     def sample(self, xp: Array, wi: Array, u: Array) -> Array:
