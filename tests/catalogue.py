@@ -33,6 +33,7 @@ from motes.models import (
     Dielectric,
     Dust,
     DustLayer,
+    Fresnel,
     Hapke,
     Lambert,
     OrenNayar,
@@ -43,6 +44,7 @@ from motes.models import (
 )
 from motes.models.coated_diffuse import diffuse_reflectance
 from motes.models.gtr import gtr_grazing_roughness
+from motes.models.missing_energy import BECKMANN_MISSING, GGX_MISSING, MissingEnergy
 
 AtRows = Callable[[Rows], tuple[BRDF, NDArray[np.float64]]]
 
@@ -198,6 +200,27 @@ def beckmann(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
     alpha = 0.1 + r["sigma_s"]
     model = Beckmann(0.7, alpha, Dielectric(column(1.2 + r["w"])))
     return model, 0.7 * fresnel(r["cos_theta_d"], 1.2 + r["w"]) * published.beckmann(*angles(r), alpha)
+
+
+def given_back(r: Rows, alpha: NDArray[np.float64], missing: MissingEnergy, term: Fresnel) -> NDArray[np.float64]:
+    """Light reflected more than once; test_models_compensation.py says what is missing, and what the mean of F must be."""
+    i, o = (missing(NUMPY, r[f"cos_theta_{k}"], alpha) for k in "ir")
+    F = term.mean(NUMPY)[:, 0]
+    return published.given_back(i, o, missing.mean(NUMPY, alpha), F, missing.staying(NUMPY, alpha))
+
+
+def ggx_compensated(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
+    n, k, alpha = 0.2 + r["w"], 5 * r["K_d"], 0.05 + r["sigma_s"]
+    term = Conductor(column(n), column(k))
+    once = fresnel(r["cos_theta_d"], n + 1j * k) * published.ggx(*angles(r), alpha)
+    return GGX(0.7, alpha, term, "multiple"), 0.7 * (once + given_back(r, alpha, GGX_MISSING, term))
+
+
+def beckmann_compensated(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
+    alpha, term = 0.1 + r["sigma_s"], Schlick(column(r["w"]))
+    once = schlick(r) * published.beckmann(*angles(r), alpha)
+    more = given_back(r, alpha, BECKMANN_MISSING, term)
+    return Beckmann(0.7, alpha, term, "multiple"), 0.7 * (once + more)
 
 
 def hapke(r: Rows) -> tuple[BRDF, NDArray[np.float64]]:
@@ -364,8 +387,18 @@ ENTRIES = (
     Entry("torrance_sparrow_schlick", TorranceSparrow(1.0, 0.3, "facets", Schlick(0.05)), torrance_sparrow_schlick),
     Entry("ggx", GGX((1.0, 0.5), 0.25), ggx),
     Entry("ggx_schlick", GGX(1.0, 0.6, Schlick((0.05, 0.5, 0.9))), ggx_schlick),
+    Entry(
+        "ggx_compensated",
+        GGX(1.0, 0.6, Conductor((0.14, 0.37, 1.4), (4.0, 2.4, 1.9)), "multiple"),
+        ggx_compensated,
+    ),
     Entry("gtr", GTR((1.0, 0.5), 0.15, 1.4), gtr),
     Entry("beckmann", Beckmann(1.0, 0.4, Dielectric(1.5)), beckmann),
+    Entry(
+        "beckmann_compensated",
+        Beckmann((1.0, 0.9, 0.5), 0.7, Schlick((0.4, 0.8, 0.9)), "multiple"),
+        beckmann_compensated,
+    ),
     Entry("coated_diffuse", CoatedDiffuse((0.9, 0.4), 1.5), coated_diffuse),
     Entry("hapke", Hapke((0.9, 0.5), -0.3, 0.6, 0.1), hapke, at_most=None),
     Entry("retro", Retro((1.0, 0.5), 0.25), retro),

@@ -46,6 +46,8 @@ MODELS: dict[str, BRDF] = {
     "facets_narrow_schlick": TorranceSparrow((1.0, 0.9, 0.8), 0.1, "facets", Schlick(0.05)),
     "conductor": TorranceSparrow(0.9, 0.2, "facets", Conductor((0.14, 0.37, 1.4), (4.0, 2.4, 1.9))),
     "ggx": GGX((1.0, 0.5, 0.25), 0.4, Schlick((0.04, 0.3, 0.9))),
+    "compensated": GGX(0.7, 0.6, Conductor((0.14, 0.37, 1.4), (4.0, 2.4, 1.9)), "multiple")
+    + Beckmann((0.3, 0.2, 0.1), 0.7, Schlick((0.4, 0.8, 0.9)), "multiple"),
     "gtr": GTR((0.8, 0.5, 0.25), 0.3, 1.5),
     "beckmann": Beckmann(0.8, 0.5, Dielectric((1.33, 1.5, 1.9))),
     "two_normalised": TorranceSparrow((0.6, 0.5, 0.4), 0.3, "facets") + TorranceSparrow(0.2, 0.5, "facets"),

@@ -69,6 +69,10 @@ def test_float32_against_the_reference(entry: Entry, source: str) -> None:
     floor = 2e-5 * 0.7 * rows["rho_s"] if entry.name == "torrance_sparrow_conductor" else 0.0
     if "multiple" in entry.name:  # higher orders are sums of terms of both signs: right to three millionths of 1/sr
         floor = 3e-6
+    if (
+        "compensated" in entry.name
+    ):  # what is missing is the square of a polynomial: right to a hundred-millionth of 1/sr
+        floor = 1e-8
     assert np.all(error <= allowed * expected + floor + 1e-37)
 
 

@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 from numpy.typing import NDArray
 
 from catalogue import reference, upper_directions
-from motes import Conductor, Dielectric, Dust, DustLayer, Lambert, OrenNayar, Schlick, TorranceSparrow
+from motes import GGX, Conductor, Dielectric, Dust, DustLayer, Lambert, OrenNayar, Schlick, TorranceSparrow
 from motes.directions import HORIZON
 from motes.material import Material
 from motes.models import BRDF
@@ -46,6 +46,10 @@ CASES: dict[str, tuple[Description, BRDF]] = {
     "schlick": (
         {"type": "motes_torrance_sparrow", "fresnel": "schlick", "f0": 0.1},
         TorranceSparrow(fresnel=Schlick(0.1)),
+    ),
+    "compensated": (
+        {"type": "motes_ggx", "alpha": 0.6, "fresnel": "schlick", "f0": rgb(*RED), "scattering": "multiple"},
+        GGX(alpha=0.6, fresnel=Schlick(RED), scattering="multiple"),
     ),
     "dusty": (
         {"type": "motes_dusty", "K_d": rgb(*RED), "sigma_s": 0.2, "w": rgb(*WHITE), "g": 0.4, "tau": 0.15},

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from scipy.stats import chi2, norm
 
 from catalogue import direction
-from motes import Dielectric, Dust, DustLayer, Lambert, OrenNayar, TorranceSparrow
+from motes import GGX, Dielectric, Dust, DustLayer, Lambert, OrenNayar, TorranceSparrow
 from motes.models import BRDF
 from motes.rendering import load_mitsuba, load_scene
 from plugin_support import cosine_only, needs_llvm, rgb, sphere_scene
@@ -43,6 +43,10 @@ CASES: dict[str, tuple[Description, BRDF | None]] = {
             "fresnel": "dielectric",
         },
         TorranceSparrow(K_s=1.0, sigma_s=0.3, normalization="facets", fresnel=Dielectric(n=1.5)),
+    ),
+    "compensated": (
+        {"type": "motes_ggx", "K_s": 1.0, "alpha": 0.7, "scattering": "multiple"},
+        GGX(1.0, 0.7, scattering="multiple"),
     ),
     "dusty": (
         {

@@ -93,6 +93,7 @@ DROPPED = [
     "dust(w=(0.9,0.8,0.7), g=-0.4, form=brightness) + lambert",
     "dust_layer(dust_layer(lambert, tau=0.1), dust=dust(g=0.5), tau=0.3)",
     "torrance_sparrow(normalization=facets, fresnel=conductor)",
+    "ggx(K_s=(0.9, 0.8, 0.7), alpha=0.7, fresnel=schlick(f0=0.6), scattering=multiple) + beckmann(alpha=0.4, fresnel=conductor)",
 ]
 
 

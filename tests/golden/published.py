@@ -56,6 +56,13 @@ def beckmann(theta_i: Any, theta_r: Any, dphi: Any, alpha: Any) -> Any:
 
 
 @_rows
+def given_back(missing_i: Any, missing_r: Any, mean: Any, fresnel: Any, stays: Any) -> Any:
+    """Kulla, Conty 2017, by the series: reflected twice at least, and at each facet from the second on a share 1 - `stays` leaves."""
+    series = sum(fresnel**2 * (1 - stays) * (fresnel * stays) ** k for k in range(45))
+    return missing_i * missing_r / (mp.pi * mean) * series
+
+
+@_rows
 def gtr(theta_i: Any, theta_r: Any, dphi: Any, alpha: Any, gamma: Any, masking: Any) -> Any:
     """Burley 2012, appendix B: D of any gamma with its constant; masked as GGX of roughness `masking`; F = 1."""
     cosines, theta_h = _facets(theta_i, theta_r, dphi)

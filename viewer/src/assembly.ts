@@ -42,7 +42,7 @@ export function assemble(model: Model, slots: readonly Slot[], library: Record<s
     `// ${title.replace(/[^ -~]|\\|\*\//g, ' ')}`,
     '// Put together by the viewer from shaders that Motes printed from its equations, one for each model.',
     '',
-    ...[...used].map((name) => library[name]!.source.replace(/^uniform .*\n/gm, '').replace(new RegExp(`^vec3 ${name}_eval\\(vec3 wi, vec3 wo\\) \\{[^}]*\\}\\n`, 'm'), '')),
+    ...[...used].map((name) => library[name]!.source),
     ...uniforms.map((uniform) => `uniform ${type(uniform.size)} ${uniform.name};`),
     '',
     `vec3 ${NAME}_with(vec3 wi, vec3 wo${slots.map((slot) => `, ${type(slot.value.length)} ${slot.name}`).join('')}) {`,

@@ -262,6 +262,15 @@ export const MODELS: Record<string, ModelDeclaration> = {
         "place": "fresnel",
         "required": false,
         "value": null
+      },
+      {
+        "kind": "option",
+        "name": "scattering",
+        "value": "single",
+        "words": [
+          "single",
+          "multiple"
+        ]
       }
     ]
   },
@@ -312,6 +321,15 @@ export const MODELS: Record<string, ModelDeclaration> = {
         "place": "fresnel",
         "required": false,
         "value": null
+      },
+      {
+        "kind": "option",
+        "name": "scattering",
+        "value": "single",
+        "words": [
+          "single",
+          "multiple"
+        ]
       }
     ]
   },

@@ -38,6 +38,7 @@ class Numbers:
     roughness: float
     distribution: str = ""
     index: tuple[Floats, Floats] | None = None
+    regained: bool = False
 
 
 def lobes(model: BRDF) -> list[Numbers]:
@@ -52,7 +53,7 @@ def lobes(model: BRDF) -> list[Numbers]:
             n, k = (np.broadcast_to(np.asarray(x, np.float64), (model.channels,)) for x in lobe.index)
             index = n, k
         roughness = float(np.ravel(lobe.roughness)[0])
-        return Numbers(lobe.reflection, normal, grazing.copy(), roughness, lobe.distribution, index)
+        return Numbers(lobe.reflection, normal, grazing.copy(), roughness, lobe.distribution, index, lobe.regained)
 
     return [numbers(lobe) for lobe in model.standard_lobes(NUMPY, model, MEAN_COSINE)]
 

@@ -186,7 +186,9 @@ def _lobes_graph(prepared: Prepared, name: str) -> ElementTree.Element:
     graph = Graph(f"NG_motes_{name}_lobes", f"ND_motes_{name}_lobes")
     slots = {slot.name: graph.interface(slot.name, _type(prepared, slot)) for slot in prepared.slots}
     normal = graph.interface("normal", "vector3")
-    graph.output(graph.total([graph.lobe(lobe, slots, normal) for lobe in recorded(prepared.model)]))
+    graph.output(
+        graph.total([graph.lobe(lobe, slots, normal) for lobe in recorded(prepared.model) if not lobe.regained])
+    )
     return graph.element
 
 

@@ -120,9 +120,11 @@ def _with_indices(parts: list[Numbers]) -> list[Numbers]:
     """The lobes as Mitsuba is to have them: `normal` is what multiplies the plugin's own F, that of an index or 1.
 
     The parts of a blend share out 1 among them, and what multiplies an F is more than what it reflects: where that leaves no room for the
-    others, F at normal incidence takes its place.
+    others, F at normal incidence takes its place.  Before that, light goes that facets pass on to each other: it would dim their highlight.
     """
     exact = [lobe if lobe.index is None else replace(lobe, normal=lobe.grazing) for lobe in parts]
+    if _total(exact) > 1 and any(lobe.regained for lobe in parts):
+        return _with_indices([lobe for lobe in parts if not lobe.regained])
     return exact if _total(exact) <= 1 else [replace(lobe, index=None) for lobe in parts]
 
 

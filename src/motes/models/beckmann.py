@@ -15,10 +15,10 @@ from typing import ClassVar, final
 from motes import equations
 from motes.arrays import Array
 from motes.directions import Geometry, Vector
+from motes.models.compensated import Compensated
 from motes.models.facet_albedo import BECKMANN_ALBEDO, GAUSSIAN_SPREAD, FacetAlbedo
-from motes.models.fresnel import Fresnel
 from motes.models.lobes import Lobe, Reflection, mirrored
-from motes.models.microfacet import Microfacet, fresnel_term
+from motes.models.missing_energy import BECKMANN_MISSING, MissingEnergy
 from motes.models.naming import register
 
 #: 1/sqrt(pi) - a exp(a^2) erfc(a) as a polynomial of (a - 2)/(a + 2) on 0 <= a <= 6, lowest power first; its error times exp(-a^2) is
@@ -152,7 +152,7 @@ class VisibleBeckmannLobe(Lobe):
 @register("beckmann")
 @final
 @dataclass(frozen=True, eq=False)
-class Beckmann(Microfacet):
+class Beckmann(Compensated):
     """Mirror-like facets whose slopes are Gaussian: the highlight falls off faster than that of `GGX`.
 
     Parameters
@@ -164,6 +164,9 @@ class Beckmann(Microfacet):
         Roughness, sqrt(2) times the standard deviation of the slope in any direction.
     fresnel
         None for F = 1, or `Dielectric`, `Conductor`, `Schlick`.
+    scattering
+        ``"single"``: light that facets send to each other is lost.  ``"multiple"``: it comes back, coloured by each further reflection
+        (`motes.models.compensated`).
 
     Notes
     -----
@@ -173,12 +176,12 @@ class Beckmann(Microfacet):
     words: ClassVar[str] = "Beckmann"
     kind: ClassVar[str] = "beckmann"
     facet_albedo: ClassVar[FacetAlbedo] = BECKMANN_ALBEDO
+    missing: ClassVar[MissingEnergy] = BECKMANN_MISSING
     approximation: ClassVar[str] = (
         "Beckmann: the same facets in Mitsuba, whose masking multiplies that of both directions; elsewhere GGX of the same alpha, whose tails "
-        "are longer."
+        "are longer; with scattering=multiple light reflected several times is a diffuse lobe, in MaterialX the program's own, in Mitsuba "
+        "nothing where a blend has no room."
     )
-
-    fresnel: Fresnel | None = fresnel_term()
 
     def distribution(self, xp: Array, geometry: Geometry) -> Array:
         return beckmann_distribution(xp, geometry, self.alpha)

@@ -13,27 +13,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Self, final
 
-import numpy as np
-
 from motes import equations
 from motes.arrays import Array
 from motes.directions import Geometry
 from motes.models.base import BRDF
 from motes.models.components import Component
+from motes.models.fresnel import diffuse_rule
 from motes.models.lobes import CosineLobe, Reflection
 from motes.models.naming import register
 from motes.models.standard import StandardLobe
 from motes.parameters import Role, parameter
 
-
-def _diffuse_rule(count: int) -> list[tuple[float, float]]:
-    """Gauss-Legendre nodes for an integral over mu = x^2 in [0, 1] with the weight 2 mu: dense at the horizon, where F rises."""
-    nodes, weights = np.polynomial.legendre.leggauss(count)
-    x = 0.5 * (nodes + 1)
-    return list(zip((x * x).tolist(), (2 * weights * x**3).tolist(), strict=True))
-
-
-_RULE = _diffuse_rule(8)
+_RULE = diffuse_rule(8)
 
 
 def transmittance(xp: Array, cos_theta: Array, n: Array) -> Array:

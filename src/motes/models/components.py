@@ -87,13 +87,16 @@ class Piece(Reflecting):
     parts
         ``parts(xp, cos_theta_i)`` are its components.
     width
-        What `spread` says; a piece that is no highlight leans.
+        What `spread` says.
+    leaning
+        What `leans` says of a piece that is no highlight.
     """
 
     formula: Callable[[Array, Geometry], Array]
     albedo: Callable[[Array], Callable[[Array], Array]]
     parts: Callable[[Array, Array], list[Component]]
     width: Array | None
+    leaning: bool = True
 
     def components(self, xp: Array, cos_theta_i: Array) -> list[Component]:
         return self.parts(xp, cos_theta_i)
@@ -105,7 +108,7 @@ class Piece(Reflecting):
         return self.albedo(xp)
 
     def leans(self) -> bool:
-        return self.width is None
+        return self.leaning and self.width is None
 
     def spread(self) -> Array | None:
         return self.width

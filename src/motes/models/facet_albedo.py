@@ -46,9 +46,10 @@ class FacetAlbedo:
         for k in reversed(range(len(self.lost[0]))):
             total = total * far + _polynomial([row[k] for row in self.lost], alpha)
         lost = near * total if self.power == 1 else near * near * total
-        return fresnel(xp, self._met(xp, cos_theta, alpha)) * (1 - lost)
+        return fresnel(xp, self.met(xp, cos_theta, alpha)) * (1 - lost)
 
-    def _met(self, xp: Array, cos_theta: Array, alpha: Array) -> Array:
+    def met(self, xp: Array, cos_theta: Array, alpha: Array) -> Array:
+        """mu_F, the cosine at which the facets in sight are met."""
         a, b, c = self.grazing
         width = xp.minimum(alpha, WIDEST)
         u = a * width * (1 + b * width)

@@ -13,10 +13,10 @@ from typing import ClassVar, final
 from motes import equations
 from motes.arrays import Array
 from motes.directions import Geometry, Vector
+from motes.models.compensated import Compensated
 from motes.models.facet_albedo import GGX_ALBEDO, FacetAlbedo
-from motes.models.fresnel import Fresnel
 from motes.models.lobes import TWO_PI, Lobe, Reflection, mirrored
-from motes.models.microfacet import Microfacet, fresnel_term
+from motes.models.missing_energy import GGX_MISSING, MissingEnergy
 from motes.models.naming import register
 
 
@@ -77,7 +77,7 @@ class VisibleGGXLobe(Lobe):
 @register("ggx")
 @final
 @dataclass(frozen=True, eq=False)
-class GGX(Microfacet):
+class GGX(Compensated):
     """Mirror-like facets with the long tails of ground glass: most polished, lacquered and metallic surfaces, better than Gaussian ones.
 
     Parameters
@@ -89,6 +89,9 @@ class GGX(Microfacet):
         Roughness. Programs that show a slider "roughness" square it: alpha = roughness^2.
     fresnel
         None for F = 1, or `Dielectric`, `Conductor`, `Schlick`.
+    scattering
+        ``"single"``: light that facets send to each other is lost.  ``"multiple"``: it comes back, coloured by each further reflection
+        (`motes.models.compensated`).
 
     Notes
     -----
@@ -99,12 +102,12 @@ class GGX(Microfacet):
     words: ClassVar[str] = "GGX"
     kind: ClassVar[str] = "ggx"
     facet_albedo: ClassVar[FacetAlbedo] = GGX_ALBEDO
+    missing: ClassVar[MissingEnergy] = GGX_MISSING
     approximation: ClassVar[str] = (
         "GGX: the same facets; where a program multiplies the masking of both directions (Mitsuba) it is darker "
-        "towards grazing, and where it gives back light reflected several times (MaterialX) rough ones are brighter."
+        "towards grazing, and where it gives back light reflected several times (MaterialX) rough ones are brighter; with "
+        "scattering=multiple that light is a diffuse lobe, in MaterialX the program's own, in Mitsuba nothing where a blend has no room."
     )
-
-    fresnel: Fresnel | None = fresnel_term()
 
     def distribution(self, xp: Array, geometry: Geometry) -> Array:
         return ggx_distribution(xp, geometry, self.alpha)

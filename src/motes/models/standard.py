@@ -36,6 +36,8 @@ class StandardLobe:
         Of a glossy one: ``ggx`` or ``beckmann`` where it is exactly that distribution of facets; else empty, and each program takes the nearest.
     index
         Of a glossy one: refractive index n and extinction k where its Fresnel term is exactly theirs, for programs that compute it.
+    regained
+        Of a diffuse one: it is light that the facets of the glossy ones pass on to each other, which programs leave out that give it back themselves.
     """
 
     reflection: Reflection
@@ -46,6 +48,7 @@ class StandardLobe:
     preserving: bool = False
     distribution: str = ""
     index: tuple[Array, Array] | None = None
+    regained: bool = False
 
     def scaled(self, factor: Array) -> StandardLobe:
         """The lobe seen through something that lets a share of its light pass."""

@@ -17,7 +17,8 @@ import numpy as np
 from motes.errors import ParameterError
 from motes.exports import glsl
 from motes.exports.shaders import Shader
-from motes.models import BRDF, Lambert, registered
+from motes.models import BRDF, Fresnel, Lambert, registered
+from motes.models.particles import MULTIPLE
 from motes.parameters import Parametrised, Place
 from motes.viewer.contract import KeptView, ShaderView, UniformView
 
@@ -52,17 +53,25 @@ def shader_view(shader: Shader) -> ShaderView:
 
 
 def pieces() -> dict[str, BRDF]:
-    """The models by the names under which the page looks for them: the model's name, and its options and Fresnel term where it has some."""
+    """The models by the names under which the page looks for them: the model's name, and its options and Fresnel term where it has some.
+
+    What facets pass on to each other is coloured by Schlick's curve at most: with the exact terms the pieces would take as much room as ten others.
+    """
     models: dict[str, BRDF] = {}
     for name, cls in registered(BRDF).items():
         bases = {p.name: Lambert() for p in cls.declared_parts() if p.place is Place.BASE}
-        options: list[tuple[str, list[tuple[str, Any]]]]
-        options = [(o.name, [(word, word) for word in o.words]) for o in cls.declared_options()]
-        options += [(p.name, _terms(p.accepts)) for p in cls.declared_parts() if p.place is Place.FRESNEL]
+        choices: dict[str, list[tuple[str, Any]]]
+        choices = {o.name: [(word, word) for word in o.words] for o in cls.declared_options()}
+        choices |= {p.name: _terms(p.accepts) for p in cls.declared_parts() if p.place is Place.FRESNEL}
+        options = [
+            (f.name, choices[f.name]) for f in dataclasses.fields(cls) if f.name in choices
+        ]  # as the page joins them
         # A layer is made of one thing here, in its first form: the page refuses others, as Motes does.
-        for chosen in itertools.product(*(choices for _, choices in options)):
+        for chosen in itertools.product(*(each for _, each in options)):
             words = [word for word, _ in chosen if word]
             given = {field: value for (field, _), (_, value) in zip(options, chosen, strict=True)}
+            if MULTIPLE in words and any(isinstance(term, Fresnel) and term.index() for term in given.values()):
+                continue
             try:
                 model = cls(**bases, **given)
             except ParameterError:  # words that do not go together
@@ -97,8 +106,9 @@ def library() -> dict[str, ShaderView]:
 @cache
 def _printed(name: str, model: BRDF) -> ShaderView:
     printed = shader_view(glsl.shader(_colored(model), name=f"{name}_eval"))
-    # Dozens of pieces travel in every page: without comments they take a third less room.
-    return {**printed, "source": re.sub(r"^\s*//.*\n|[ \t]*//.*$", "", printed["source"], flags=re.MULTILINE)}
+    # Dozens of pieces travel in every page: without comments, indents and what calls them with uniforms of their own they take half the room.
+    left_out = rf"^\s*//.*\n|[ \t]*//.*$|^[ \t]+|^uniform .*\n|^vec3 {name}_eval\(vec3 wi, vec3 wo\) \{{[^}}]*\}}\n"
+    return {**printed, "source": re.sub(left_out, "", printed["source"], flags=re.MULTILINE)}
 
 
 def _colored(model: BRDF) -> BRDF:
