@@ -200,7 +200,7 @@ def machine_code(source: str, architecture: str = "sm_90") -> bytes:
         nvrtc.nvrtcGetProgramLog(program, text)
         return text.rstrip(b"\0").decode(errors="replace")
 
-    program = called("nvrtcCreateProgram", source.encode(), b"motes.cu", 0, [], [])
+    program = called("nvrtcCreateProgram", source.encode(), b"kernels.cu", 0, [], [])
     try:
         options = [f"--gpu-architecture={architecture}".encode(), STANDARD.encode(), b"--disable-warnings"]
         called("nvrtcCompileProgram", program, len(options), options)

@@ -79,7 +79,7 @@ _TYPES = {"F": "float", "D": "double"}
 
 
 def translated(module: str) -> str:
-    """CUDA C++ of a module's text (`motes.fitting.printed.module.Printed.source`), which compiles as C++ for processors, too."""
+    """CUDA C++ of a module's text (what `motes.fitting.printed.module.Printed` holds), which compiles as C++ for processors, too."""
     tree = ast.parse(module)
     constants: list[str] = []
     functions: list[str] = []
