@@ -2,6 +2,7 @@
 
 from motes.maps.fitted import FittedMap, open_fitted
 from motes.maps.making import whole
+from motes.maps.momentary import Moment, moment
 from motes.maps.photographs import import_images
 from motes.maps.run import fit_map
 from motes.maps.simulated import simulate_map
@@ -12,11 +13,13 @@ from motes.maps.zarrs import is_store, kind_of
 __all__ = [
     "FittedMap",
     "MapStack",
+    "Moment",
     "create_map",
     "export_exr",
     "fit_map",
     "import_images",
     "is_store",
+    "moment",
     "open_map",
     "simulate_map",
     "whole",

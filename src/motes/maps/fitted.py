@@ -119,6 +119,15 @@ class FittedMap:
 
     # ------------------------------------------------------------ reading
 
+    @property
+    def interval(self) -> tuple[float, float]:
+        """The first and the last time [h]."""
+        return float(self.hours[0]), float(self.hours[-1])
+
+    def holds(self, name: str) -> bool:
+        """Whether the store has an array of this name."""
+        return zarrs.member(self.group, name, self.path) is not None
+
     def done(self) -> NDArray[np.bool_]:
         """Which blocks (rows, columns) are finished."""
         return there(self.path / "run" / "done", self.blocks.counts)
@@ -134,7 +143,7 @@ class FittedMap:
         """By map, how many of its values have which verdict; nothing where the store has none."""
         found: dict[str, dict[str, int]] = {}
         for name in self.variables:
-            if not self._has(f"{name}_verdict"):
+            if not self.holds(f"{name}_verdict"):
                 continue
             totals = np.zeros(256, np.int64)
             for block in self.blocks:
@@ -169,7 +178,7 @@ class FittedMap:
             The part of the map.
         """
         if name in self.variables:
-            if not self._has(f"{name}_verdict"):
+            if not self.holds(f"{name}_verdict"):
                 raise MotesError(f"{self.path} holds no verdicts: an earlier Motes wrote it", "Fit the map again")
             return np.asarray(self.read_map(f"{name}_verdict", where), np.uint8)
         parts = [self.verdicts(v.name, where) for v in self.variables.values() if v.quantity == name]
@@ -185,7 +194,7 @@ class FittedMap:
         MotesError
             When they were not kept.
         """
-        if not self._has("covariance"):
+        if not self.holds("covariance"):
             raise MotesError(f"{self.path} holds no covariances", "Fit the map with --covariance")
         packed, size = reading.doubles(self.read_map("covariance", where)), len(self.labels)
         rows, columns = np.tril_indices(size)
@@ -221,7 +230,7 @@ class FittedMap:
             c = reading.doubles(self.read_map(v.name, where))
             coefficients[str(label)] = c[:, :, None, :] if v.per_channel else c.reshape(*c.shape, 1, *tail)
         kind = self.kinds[quantity]
-        basis = [b.reshape(-1, *tail) for b in KINDS[kind].basis(self.hours, *self._interval)]
+        basis = [b.reshape(-1, *tail) for b in KINDS[kind].basis(self.hours, *self.interval)]
         value, _ = evaluate(kind, basis, coefficients)
         return np.broadcast_to(value, (*next(iter(coefficients.values())).shape[:2], len(self.hours), *value.shape[3:]))
 
@@ -290,7 +299,7 @@ class FittedMap:
             "blocks_done": int(done.sum()),
             "robust": settings.robust,
             "time": settings.time,
-            "covariance": self._has("covariance"),
+            "covariance": self.holds("covariance"),
             "fits": self.counts(),
             "verdicts": self.verdict_counts(),
             "failures": [{"block": list(block), "reason": reason} for block, reason in self.failures],
@@ -338,13 +347,6 @@ class FittedMap:
         arrays = zarrs.arrays(self.group, self.path) | {"done": self.group["run/done"]}
         return {name: Chunks.of(array, self.path) for name, array in arrays.items()}
 
-    def _has(self, name: str) -> bool:
-        return zarrs.member(self.group, name, self.path) is not None
-
-    @property
-    def _interval(self) -> tuple[float, float]:
-        return float(self.hours[0]), float(self.hours[-1])
-
     def _trend(self, quantity: str, where: tuple[slice, slice]) -> Trend:
         coefficients = {
             str(v.coefficient): reading.doubles(self.read_map(v.name, where)[0, 0])
@@ -352,7 +354,7 @@ class FittedMap:
             if v.quantity == quantity
         }
         (parameter,) = (s.parameter for s in self.brdf.slots() if s.name == quantity)
-        return Trend(self.kinds[quantity], coefficients, self._interval, parameter.bounds)
+        return Trend(self.kinds[quantity], coefficients, self.interval, parameter.bounds)
 
 
 def open_fitted(path: object, mode: str = "r") -> FittedMap:
