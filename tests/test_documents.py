@@ -108,7 +108,7 @@ NEEDS: dict[str, list[tuple[Callable[[Path], dict[str, Any]], ...]]] = {
     "docs/deposition.md": [(chair,)],
     "docs/engine.md": [(surface,), (texels,)],
     "docs/exports.md": [(dried,), (surface,)],
-    "docs/maps.md": [(paint_map,), (own_map,), (fitted_map,)],
+    "docs/maps.md": [(paint_map,), (own_map,), (fitted_map,), (fitted_map,)],
     "docs/plan.md": [()],
     "docs/real_dusts.md": [(dried,)],
     "docs/viewer.md": [(fitted,)],

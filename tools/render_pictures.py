@@ -2,8 +2,8 @@
 
 usage: python tools/render_pictures.py [DATA [FOLDER [NAME ...]]]      (default: ../shared/data, docs/pictures, all)
 
-Names are dust_days, drying_paint, rusting_sphere, plaster_lambert and measured. Those that need data (STAF maps, CUReT, RGL) are left out, and said, where
-DATA does not hold them. About ten minutes on two cores.
+Names are dust_days, drying_paint, rusting_sphere, rusting_map, plaster_lambert and measured. Those that need data (STAF maps, CUReT, RGL)
+are left out, and said, where DATA does not hold them. About ten minutes on two cores.
 """
 
 from __future__ import annotations
@@ -15,9 +15,11 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
+import staf_map
 from numpy.typing import NDArray
 
 import motes
+from motes import maps
 from motes.ageing import PHENOMENA, age, rusting_material
 from motes.meshes.shapes import SHAPES
 from motes.rendering import load_mitsuba
@@ -95,6 +97,25 @@ def rusting_sphere(data: Path, path: Path) -> None:
     write_picture(path, sheet([panels], columns=[f"t = {t:g}" for t in times]))
 
 
+def rusting_map(data: Path, path: Path) -> None:
+    """The same iron as a map that was measured by a simulated rig and fitted at every texel and time: as the flat sample, and on a sphere."""
+    size, times = 230, 4
+    true = staf_map.parameters(data / "staf-tvBTF45", size, times)
+    hours = np.linspace(0, 1, times)
+    with TemporaryDirectory() as folder:
+        made = maps.create_map(Path(folder) / "iron.zarr", (size, size), staf_map.lights(), (0, 0, 1), hours=hours)
+        stack = staf_map.measured(made, true, 0.01)
+        fitted = maps.fit_map(stack, staf_map.MODEL, out=Path(folder) / "fit.zarr")
+        rows = []
+        for scene, lamp in (("flat", (12.0, 135.0)), ("flat", (60.0, 135.0)), ("sphere", (45.0, 135.0))):
+            target = Path(folder) / "row.exr"
+            look = Look(scene=scene, size=(190, 190), samples=SAMPLES if scene == "sphere" else 16, lamp_deg=lamp)
+            render([fitted], target, look=look, hours=hours.tolist())
+            rows.append([picture(p) for p in np.split(read_radiance(target), times, axis=1)])
+    names = ["lamp at 12°", "lamp at 60°", "on a sphere"]
+    write_picture(path, sheet(rows, names, [f"t = {t:.2g}" for t in hours]))
+
+
 def plaster_lambert(data: Path, path: Path) -> None:
     """CUReT's plaster as Oren-Nayar sees it, beside the best Lambert, under a lamp beside the camera: flat, without a dark rim."""
     mi = load_mitsuba()
@@ -143,6 +164,7 @@ PICTURES: dict[str, tuple[Callable[[Path, Path], None], str]] = {
     "dust_days": (dust_days, ""),
     "drying_paint": (drying_paint, ""),
     "rusting_sphere": (rusting_sphere, "staf-tvBTF45"),
+    "rusting_map": (rusting_map, "staf-tvBTF45"),
     "plaster_lambert": (plaster_lambert, "curet"),
     "measured": (measured, "rgl"),
 }

@@ -81,17 +81,9 @@ def run(a: argparse.Namespace, work: Path) -> None:
     chunk = -(-a.size // -(-a.size // 64))  # about 64, with little left over at the edges
     options = {"chunk": chunk, "compressed": False, "name": "rusting iron"}
     stack = maps.create_map(work / "iron.zarr", shape, lights(), (0, 0, 1), hours=hours, **options)
-
-    def surface(y: Floats, x: Floats, t: Floats) -> dict[str, Floats]:
-        where = (y[..., 0].astype(int), x[..., 0].astype(int))
-        now = {name: value[where].astype(float) for name, value in true.items()}
-        # No highlight: any width will do for rendering; the truth that is compared has none.
-        return {**now, "sigma_s": np.where(np.isnan(now["sigma_s"]), 0.1, now["sigma_s"])}
-
     began = time.perf_counter()
-    fill(stack, MODEL, surface, a.noise, seed=45)
+    stack = measured(stack, true, a.noise)
     rendered = time.perf_counter() - began
-    stack = maps.open_map(stack.path)
     size = maps.zarrs.size_on_disk(stack.path)
     marks: list[tuple[float, int]] = []
 
@@ -113,6 +105,19 @@ def run(a: argparse.Namespace, work: Path) -> None:
     text = page(a, shape, fitted.counts(), errors, seconds, whole, rendered, size, peak)
     motes.files.write_text(a.docs / "real_map.md", text)
     print("\n".join([*lines, *errors, f"peak memory {peak:.2f} GiB"]))
+
+
+def measured(stack: maps.MapStack, true: dict[str, Floats], noise: float) -> maps.MapStack:
+    """The map with what the rig measures of a surface with these parameters."""
+
+    def surface(y: Floats, x: Floats, t: Floats) -> dict[str, Floats]:
+        where = (y[..., 0].astype(int), x[..., 0].astype(int))
+        now = {name: value[where].astype(float) for name, value in true.items()}
+        # No highlight: any width will do for rendering; the truth that is compared has none.
+        return {**now, "sigma_s": np.where(np.isnan(now["sigma_s"]), 0.1, now["sigma_s"])}
+
+    fill(stack, MODEL, surface, noise, seed=45)
+    return maps.open_map(stack.path)
 
 
 def table(fitted: maps.FittedMap, stack: maps.MapStack, true: dict[str, Floats]) -> list[str]:

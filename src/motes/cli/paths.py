@@ -8,9 +8,24 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from motes.errors import DataError
+    from motes.maps import FittedMap
     from motes.material import Material
 
 LONGEST_NAME = 60
+
+
+def material_or_map(text: str) -> Material | FittedMap:
+    """What `material_of` gives, or the fitted map that a user names."""
+    from motes.errors import DataError
+    from motes.maps import FittedMap, open_map
+    from motes.presets import given, named
+
+    if not (is_map(text) and isinstance(given(text), Path)):
+        return named(text)
+    found = open_map(text)
+    if not isinstance(found, FittedMap):
+        raise DataError(f"{text} holds measured reflectance at every texel", f"motes fit {text} fits every texel")
+    return found
 
 
 def material_of(text: str) -> Material:
@@ -31,7 +46,7 @@ def _many(store: str) -> DataError:
         return DataError(f"{store} holds measured reflectance at every texel", f"motes fit {store} fits every texel")
     return DataError(
         f"{store} holds a material for every texel, and one is asked for",
-        f"motes view {store} shows it, and what was fitted at each texel; docs/maps.md says how to take one texel's in Python",
+        f"motes render {store} -o NAME.png shows it, motes view {store} what was fitted at each texel; docs/maps.md says how to take one texel's in Python",
     )
 
 

@@ -16,13 +16,18 @@ if TYPE_CHECKING:
 def render(
     *material: str,
     output: Annotated[str, Parameter(name=["--output", "-o"])],
-    scene: str = "sphere",
+    scene: str | None = None,
     env: str | None = None,
     time: str | None = None,
     deposit: Annotated[bool, Parameter(negative="")] = False,
     set: Annotated[tuple[str, ...], Parameter(negative="")] = (),
     up: str = "y",
     wind: str | None = None,
+    lamp: str | None = None,
+    repeat: MaybeWhole = None,
+    filter: Literal["nearest", "bilinear"] | None = None,
+    gaps: Literal["fill", "mark"] | None = None,
+    strict: Annotated[bool, Parameter(negative="")] = False,
     scattering: Literal["single", "multiple"] | None = None,
     compare: str | None = None,
     model: Annotated[str, Parameter(name=["--model", "-m"])] = "oren_nayar + torrance_sparrow",
@@ -40,16 +45,18 @@ def render(
     """Render materials: a picture, a film of how they change, a table that compares them.
 
     Several materials, or several times, stand side by side; both make a table. With --compare a measured material is
-    shown beside its fit. A film that was stopped goes on where it was when the same command is run again.
+    shown beside its fit. A map that motes fit wrote is shown as the flat sample that was measured, every texel with its own parameters,
+    or on a mesh by its texture coordinates. A film that was stopped goes on where it was when the same command is run again.
 
     Parameters
     ----------
     material
-        A material.json, a folder of motes fit, a preset or a model such as "oren_nayar(K_d=0.8)"; one or more.
+        A material.json, a folder of motes fit, a fitted map (.zarr), a preset or a model such as "oren_nayar(K_d=0.8)"; one or more.
     output
         NAME.png, NAME.exr (radiance), NAME.gif or NAME.mp4.
     scene
-        sphere, bunny, teapot, grid (small spheres), a mesh (.ply, .obj, .stl, .glb, .gltf), or a Mitsuba scene (.xml) with $material in it.
+        sphere, bunny, teapot, grid (small spheres), flat (from above; of a map when not given), a mesh (.ply, .obj, .stl, .glb, .gltf), or a
+        Mitsuba scene (.xml) with $material in it.
     env
         An environment map (EXR, HDR) in place of the studio's lights.
     time
@@ -62,6 +69,16 @@ def render(
         Of a mesh: x, y, z, -x, -y, -z or three numbers.
     wind
         The direction that wind comes from, for --deposit.
+    lamp
+        Over a flat sample: THETA,PHI in degrees, phi 0 on the right and 90 behind; 45,135 when not given.
+    repeat
+        Copies of a map along each side of a flat sample or a mesh's texture, around a sphere; every second is mirrored.
+    filter
+        Between texels of a map: nearest, each point as its own texel (when not given), or bilinear, their light mixed.
+    gaps
+        Texels of a map without a fit: fill, with the parameters of the nearest that has one (when not given), or mark, magenta.
+    strict
+        Count texels with a parameter that the data do not determine as texels without a fit.
     scattering
         How light goes in dust that is laid over a material without: "multiple" when not given, or "single", the source's.
     compare
@@ -91,7 +108,7 @@ def render(
     from motes.errors import MotesError
     from motes.files.finding import existing
     from motes.rendering import slow_note
-    from motes.rendering.pictures import default_look
+    from motes.rendering.pictures import aspect_of, default_look, is_map
     from motes.rendering.pictures import render as make
 
     if compare is None and not material:
@@ -110,25 +127,32 @@ def render(
             settling["wind"] = vector(wind, "--wind")
     hours = None if time is None else hours_of(time)
     film = Path(output).suffix.lower() in (".gif", ".mp4")
-    if Path(scene).suffix.lower() == ".xml" and size is not None:
-        raise MotesError(f"--size was given for {scene}", "A Mitsuba scene says its own size, in its film")
     if note := slow_note():
         console.warn(note)
-    shown = [paths.material_of(path) for path in material]
+    shown = [paths.material_or_map(path) for path in material]
     measured: Path | None = None
     if compare is not None:
         measured = existing(compare)
         shown = shown or [_fitted(measured, model, reading, common)]
+    aspect = aspect_of(shown)
+    scene = scene or ("sphere" if aspect is None else "flat")
+    if Path(scene).suffix.lower() == ".xml" and size is not None:
+        raise MotesError(f"--size was given for {scene}", "A Mitsuba scene says its own size, in its film")
+    of_map = {"repeat": repeat, "filter": filter, "gaps": gaps, "strict": strict or None}
+    _check_map_options(of_map, lamp, scene, any(map(is_map, shown)))
     several = film or scene == "grid" or len(shown) * len(hours or (0,)) + (measured is not None) > 1
     look = default_look(
         several=several,
         film=film,
+        aspect=aspect,
         scene=scene,
-        size=None if size is None else _size(size),
+        size=None if size is None else _size(size, aspect if scene == "flat" else None),
         samples=samples,
         seed=seed,
         env=None if env is None else existing(env),
         up=vector(up, "--up"),
+        lamp_deg=None if lamp is None else _lamp(lamp),
+        **of_map,
     )
     try:
         with console.progress(common, "rendering") as step:
@@ -233,10 +257,36 @@ def hours_of(text: str) -> list[float]:
     return [times[0] + k * step for k in range(count)]
 
 
-def _size(text: str) -> tuple[int, int]:
+def _check_map_options(given: dict[str, Any], lamp: str | None, scene: str, maps: bool) -> None:
+    """Refuse what would do nothing."""
     from motes.errors import MotesError
+
+    option = next((name for name, value in given.items() if value is not None), None)
+    if lamp is not None and scene != "flat":
+        raise MotesError(f"--lamp was given for the scene {scene}", "It lights a flat sample: --scene flat")
+    if option is not None and not maps:
+        raise MotesError(f"--{option} was given, and nothing that is shown is a map", "motes fit MAP.zarr makes one")
+    if option is not None and Path(scene).suffix.lower() == ".xml":
+        raise MotesError(f"--{option} was given for {scene}", "A Mitsuba scene says it itself, in its motes_map")
+
+
+def _lamp(text: str) -> tuple[float, ...]:
+    from motes.errors import MotesError
+
+    try:
+        return tuple(float(word) for word in text.split(","))
+    except ValueError:
+        raise MotesError(f"--lamp {text!r} is no direction", "Write THETA,PHI in degrees: --lamp 45,135") from None
+
+
+def _size(text: str, aspect: float | None = None) -> tuple[int, int]:
+    """Width and height; one number alone is the longer side of a flat sample."""
+    from motes.errors import MotesError
+    from motes.rendering.flat import size_of
 
     words = text.lower().split("x")
     if len(words) > 2 or not all(word.strip().isdigit() for word in words):
         raise MotesError(f"--size {text!r} is not a size", "Write --size 512 or --size 640x480")
+    if len(words) == 1 and aspect is not None:
+        return size_of(aspect, int(words[0]))
     return int(words[0]), int(words[-1])

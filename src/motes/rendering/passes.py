@@ -12,7 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes.errors import MotesError
+from motes.rendering.flat import LAMP_DEG, check_lamp
 from motes.rendering.interrupts import interrupt_after
+from motes.rendering.lookup import FILTERS, GAPS, MOST_REPEATS, one_of
 
 Floats = NDArray[np.floating[Any]]
 STILL, FILM = 64, 32  # samples a pixel, when nothing else is said
@@ -27,7 +29,7 @@ class Look:
     Parameters
     ----------
     scene
-        ``sphere``, ``bunny``, ``teapot``, the path of a mesh, or of a Mitsuba scene (.xml) with ``$material`` in it.
+        ``sphere``, ``bunny``, ``teapot``, ``flat``, the path of a mesh, or of a Mitsuba scene (.xml) with ``$material`` in it.
     size
         Width and height in pixels of a panel; a Mitsuba scene has its own.
     samples
@@ -38,6 +40,16 @@ class Look:
         An environment map in place of the studio's lights.
     up
         The up direction of a mesh from a file.
+    lamp_deg
+        theta and phi [degrees] of the lamp over a flat sample.
+    repeat
+        Copies of a map along each side of a flat sample or of a mesh's texture, around a sphere; None for 1, and 2 around a sphere.
+    filter
+        Of a map: ``nearest``, or ``bilinear``, which mixes the light of four texels, not their parameters.
+    gaps
+        Texels without a fit: ``fill`` from the nearest that has one, or ``mark``.
+    strict
+        Texels with a parameter that the data do not determine count as such.
     """
 
     scene: str = "sphere"
@@ -46,8 +58,18 @@ class Look:
     seed: int = 0
     env: Path | None = None
     up: tuple[float, ...] = (0.0, 1.0, 0.0)
+    lamp_deg: tuple[float, ...] = LAMP_DEG
+    repeat: int | None = None
+    filter: str = FILTERS[0]
+    gaps: str = GAPS[0]
+    strict: bool = False
 
     def __post_init__(self) -> None:
+        check_lamp(self.lamp_deg)
+        if self.repeat is not None and not 1 <= self.repeat <= MOST_REPEATS:
+            raise MotesError(f"{self.repeat} copies of a map are outside [1, {MOST_REPEATS}]", "1 shows it once")
+        one_of("the look of a map", "filter", self.filter, FILTERS)
+        one_of("the look of a map", "gaps", self.gaps, GAPS)
         if not 1 <= self.samples <= 1 << 20:
             raise MotesError(f"{self.samples} samples a pixel are outside [1, {1 << 20}]", f"{STILL} are usual")
         if not 0 <= self.seed < 1 << 32:

@@ -6,9 +6,9 @@ import hashlib
 import os
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, final
+from typing import TYPE_CHECKING, Any, TypeGuard, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,11 +18,16 @@ from motes.files import check_writable
 from motes.material import Material
 from motes.rendering import films, panels, tonemap
 from motes.rendering.arrangement import each_titled, layout, mosaic, words
+from motes.rendering.flat import size_of
 from motes.rendering.loading import native
 from motes.rendering.passes import FILM, Look
 from motes.rendering.rays import Progress
+from motes.rendering.scenes import FLAT
 from motes.rendering.stage import SMALL, measured_stage, stage
 from motes.version import __version__
+
+if TYPE_CHECKING:
+    from motes.maps import FittedMap
 
 Floats = NDArray[np.floating[Any]]
 STILLS = (".png", ".exr")
@@ -67,7 +72,7 @@ class Rendered:
 
 
 def render(
-    materials: Sequence[Material],
+    materials: Sequence[Material | FittedMap],
     path: str | os.PathLike[str],
     *,
     look: Look | None = None,
@@ -82,18 +87,19 @@ def render(
     keep_frames: bool = False,
     progress: Progress | None = None,
 ) -> Rendered:
-    """Render materials on a preview scene, their times as the frames of a film or as panels of a picture.
+    """Render materials and fitted maps on a preview scene, their times as the frames of a film or as panels of a picture.
 
     Parameters
     ----------
     materials
-        Side by side.
+        Side by side; of a `motes.maps.FittedMap` every texel has its own parameters.
     path
         NAME.png, NAME.exr (radiance, without labels), NAME.gif or NAME.mp4.
     look
-        The scene and the quality; by default a sphere, 512 x 512 pixels alone, 320 x 320 in company or as a film.
+        The scene and the quality; by default a sphere, 512 x 512 pixels alone, 320 x 320 in company or as a film; where the first is a map a
+        flat sample of its aspect.
     hours
-        Times [h].  By default 0 for a picture; for a film 48 steps over the time in which the materials change.
+        Times [h].  By default 0 for a picture, of maps their first time; for a film 48 steps over the time in which the materials change.
     settling
         Keyword arguments of `deposit`, for dust that lies where it settles; see `stage`.
     scattering
@@ -133,7 +139,9 @@ def render(
         films.check_film(target, fps)
     times = _times(materials, hours, film)
     several = film or len(times) * len(materials) + (measured is not None) > 1
-    look = look or default_look(several=several, film=film)
+    look = look or default_look(several=several, film=film, aspect=aspect_of(materials))
+    if look.repeat is not None and not any(map(is_map, materials)):
+        raise MotesError(f"{look.repeat} copies were asked for, and nothing that is shown is a map", "Leave them out")
     tonemap.picture(np.zeros((1, 1, 3)), tone, exposure)  # says what is wrong with these before the work
     with tempfile.TemporaryDirectory(prefix="motes-") as work:
         span = (min(times), max(times))
@@ -145,7 +153,7 @@ def render(
             names.insert(0, "measured")
         table = layout(stages, names, times, film)
         settings = {
-            "materials": [m.to_dict() for m in materials],
+            "materials": [_settings(m) for m in materials],
             "hours": list(times),
             "look": [repr(look), *(digest_of(p) for p in (look.scene, look.env, measured))],
             "settling": repr(settling and {k: v for k, v in settling.items() if k != "progress"}),
@@ -208,15 +216,41 @@ def render(
     return Rendered(target, times, look, len(table), len(table[0]), min(kept, n), stated, notes, bad)
 
 
-def default_look(*, several: bool = False, film: bool = False, **given: Any) -> Look:
-    """A look with what is not given (None) set to what suits the picture, and small where only the scalar variant runs."""
+def default_look(*, several: bool = False, film: bool = False, aspect: float | None = None, **given: Any) -> Look:
+    """A look with what is not given (None) set to what suits the picture, and small where only the scalar variant runs.
+
+    With an `aspect`, of a map, the scene is a flat sample unless another is given, whose longer side has as many pixels as the picture would have.
+    """
     from motes.rendering import slow_note
 
-    side = PANEL if several else SIZE
-    look = Look(size=(side, side), samples=FILM if film else Look.samples)
+    side, samples = PANEL if several else SIZE, FILM if film else Look.samples
     if slow_note() is not None:
-        look = replace(look, size=(SMALL, SMALL), samples=16)
-    return replace(look, **{name: value for name, value in given.items() if value is not None})
+        side, samples = SMALL, 16
+    given = {name: value for name, value in given.items() if value is not None}
+    scene = given.setdefault("scene", FLAT if aspect is not None else Look.scene)
+    given.setdefault("size", size_of(aspect, side) if aspect is not None and scene == FLAT else (side, side))
+    return Look(**{"samples": samples, **given})
+
+
+def is_map(material: Material | FittedMap) -> TypeGuard[FittedMap]:
+    """Whether it is a `FittedMap`, whose room needs the extra `scale`."""
+    return hasattr(material, "read_map")
+
+
+def aspect_of(materials: Sequence[Material | FittedMap]) -> float | None:
+    """How many times the first of them is as wide as it is high, where it is a map."""
+    first = materials[0] if materials else None
+    return first.shape[1] / first.shape[0] if first is not None and is_map(first) else None
+
+
+def _settings(material: Material | FittedMap) -> dict[str, Any]:
+    """What decides how it looks."""
+    if is_map(material):
+        from motes.rendering.map_stage import settings_of
+
+        return settings_of(material)
+    assert isinstance(material, Material)
+    return material.to_dict()
 
 
 def _writable(target: Path) -> None:
@@ -227,15 +261,16 @@ def _writable(target: Path) -> None:
     check_writable(target)
 
 
-def _times(materials: Sequence[Material], hours: Sequence[float] | None, film: bool) -> tuple[float, ...]:
+def _times(materials: Sequence[Material | FittedMap], hours: Sequence[float] | None, film: bool) -> tuple[float, ...]:
     if hours is not None:
         times = tuple(float(h) for h in hours)
         if not times or not np.isfinite(times).all():
             raise MotesError(f"the times {list(times)[:4]} are not numbers", "Give hours, such as 0:24h:48")
         return times
+    maps = [m.interval[0] for m in materials if is_map(m) and m.interval is not None]
     if not film:
-        return (0.0,)
-    intervals = [m.interval for m in materials if m.interval]
+        return (min(maps) if len(maps) == len(materials) else 0.0,)
+    intervals = [m.interval for m in materials if m.interval and m.interval[0] < m.interval[1]]
     if not intervals:
         raise MotesError(
             "nothing changes with time, so there is no film to make",

@@ -1,4 +1,4 @@
-"""The plugins by name: ``motes_NAME`` for every registered model that stands alone, ``motes_dusty`` and ``motes_material``."""
+"""The plugins by name: ``motes_NAME`` for every registered model that stands alone, ``motes_dusty``, ``motes_material`` and ``motes_map``."""
 
 from __future__ import annotations
 
@@ -12,12 +12,13 @@ from motes.models.particles import SINGLE
 
 def names() -> list[str]:
     """The names of all plugins there are now."""
-    return [*(f"motes_{name}" for name in _alone()), "motes_dusty", "motes_material"]
+    return [*(f"motes_{name}" for name in _alone()), "motes_dusty", "motes_material", "motes_map"]
 
 
 def constructors(mi: Any) -> dict[str, Callable[[Any], Any]]:
     """Constructors for the variant that is set, by the plugins' names."""
     from motes.rendering.dusty_plugin import layer_class, nested_bsdfs
+    from motes.rendering.map_plugin import map_class
     from motes.rendering.surface_plugin import material_class, surface_class
 
     surface, layer = surface_class(mi), layer_class(mi)
@@ -32,7 +33,11 @@ def constructors(mi: Any) -> dict[str, Callable[[Any], Any]]:
         )
 
     models = {f"motes_{name}": _model_plugin(surface, name) for name in _alone()}
-    return models | {"motes_dusty": dusty, "motes_material": material_class(mi, surface)}
+    return models | {
+        "motes_dusty": dusty,
+        "motes_material": material_class(mi, surface),
+        "motes_map": map_class(mi, surface),
+    }
 
 
 def _alone() -> list[str]:

@@ -20,10 +20,12 @@ from motes.errors import FormatError, MotesError
 from motes.meshes.mesh import Mesh, with_normals
 from motes.meshes.meshfile import SUFFIXES, read_mesh
 from motes.meshes.shapes import SHAPES
+from motes.rendering.flat import LAMP_DEG, flat
 from motes.rendering.loading import native
 from motes.rendering.rays import mitsuba_mesh
 
 NAMES = ("sphere", "bunny", "teapot", "grid")
+FLAT = "flat"
 FLOOR = 0.55  # reflectance: a white highlight and a dark material both stand out from it
 TARGET, EYE = (0.0, 0.93, 0.0), (0.0, 2.35, 7.2)
 DEPTH = 4  # of a path: light that the floor gives back to the object, and once more
@@ -31,10 +33,11 @@ LARGEST_SIDE = 8192
 
 
 class Subject(NamedTuple):
-    """What is shown: a mesh of its own units and up direction, or the exact sphere of the preview (None)."""
+    """What is shown: a mesh on the stage, or None for the exact sphere of the preview, and for the flat sample, `aspect` times as wide as high."""
 
     mesh: Mesh | None
     name: str
+    aspect: float = 1.0
 
 
 def subject(scene: str, up: ArrayLike = (0.0, 1.0, 0.0)) -> Subject:
@@ -47,7 +50,7 @@ def subject(scene: str, up: ArrayLike = (0.0, 1.0, 0.0)) -> Subject:
     FormatError
         For a file that is not there or not a mesh.
     """
-    if scene in ("sphere", "grid"):
+    if scene in ("sphere", "grid", FLAT):
         return Subject(None, scene)
     if scene in SHAPES:
         return Subject(SHAPES[scene](), scene)
@@ -58,7 +61,8 @@ def subject(scene: str, up: ArrayLike = (0.0, 1.0, 0.0)) -> Subject:
         return Subject(on_stage(read_mesh(path), up), path.stem)
     raise MotesError(
         f"{scene[:80]!r} is not a scene",
-        _suggestion(scene) or f"Choose {', '.join(NAMES)}, a mesh ({', '.join(SUFFIXES)}) or a Mitsuba scene (.xml)",
+        _suggestion(scene)
+        or f"Choose {', '.join((*NAMES, FLAT))}, a mesh ({', '.join(SUFFIXES)}) or a Mitsuba scene (.xml)",
     )
 
 
@@ -67,7 +71,7 @@ def _suggestion(scene: str) -> str:
     path = Path(scene)
     files = [str(p) for p in path.parent.iterdir()] if path.parent.is_dir() else []
     files = [f for f in files if Path(f).suffix.lower() in (*SUFFIXES, ".xml")]
-    close = difflib.get_close_matches(scene.lower(), NAMES, n=1, cutoff=0.5) or difflib.get_close_matches(
+    close = difflib.get_close_matches(scene.lower(), (*NAMES, FLAT), n=1, cutoff=0.5) or difflib.get_close_matches(
         scene, files, n=2, cutoff=0.6
     )
     return f"Did you mean {' or '.join(close)}?" if close else ""
@@ -90,6 +94,7 @@ def preview(
     *,
     size: tuple[int, int] = (512, 512),
     env: str | os.PathLike[str] | None = None,
+    lamp_deg: tuple[float, ...] = LAMP_DEG,
 ) -> dict[str, Any]:
     """A preview as a dictionary for Mitsuba, the object under the key ``object``.
 
@@ -103,6 +108,8 @@ def preview(
         Width and height in pixels.
     env
         An environment map (EXR, HDR), y up, in place of the softboxes.
+    lamp_deg
+        Where the lamp over a flat sample stands; see `motes.rendering.flat`.
 
     Raises
     ------
@@ -114,6 +121,9 @@ def preview(
     from motes.rendering import load_mitsuba, load_scene
 
     mi = load_mitsuba()
+    if item.name == FLAT and item.mesh is None:
+        light = None if env is None else _environment(mi, env)
+        return flat(bsdf, item.aspect, _film(size), lamp_deg=lamp_deg, environment=light)
     transform = mi.ScalarTransform4f
     if item.mesh is None:
         shape: Any = {"type": "sphere", "center": [0.0, 0.95, 0.0], "radius": 0.95, "bsdf": load_scene(bsdf)}

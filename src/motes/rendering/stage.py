@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,8 +18,11 @@ from motes.models import layer_of
 from motes.rendering.deposition import Deposit, checked_tau, deposit, open_tau
 from motes.rendering.passes import Look, rendered
 from motes.rendering.rays import Progress
-from motes.rendering.scenes import Subject, on_stage, preview, subject
+from motes.rendering.scenes import FLAT, Subject, on_stage, preview, subject
 from motes.rendering.user_scene import user_scene
+
+if TYPE_CHECKING:
+    from motes.maps import FittedMap
 
 Floats = NDArray[np.floating[Any]]
 SMALL = 96  # pixels along a side, and 16 samples, where only the scalar variant runs
@@ -34,7 +37,7 @@ class Stage(NamedTuple):
 
 
 def stage(
-    material: Material,
+    material: Material | FittedMap,
     look: Look,
     folder: Path,
     *,
@@ -48,7 +51,7 @@ def stage(
     Parameters
     ----------
     material
-        May follow time.
+        May follow time; or a fitted map.
     look
         The scene, and how it is rendered.
     folder
@@ -68,6 +71,8 @@ def stage(
     MotesError
         For an unknown scene, a tau out of range, or a scene that Mitsuba cannot load.
     """
+    if not isinstance(material, Material):
+        return _map_stage(material, look, hours, settling)
     if look.is_xml:
         if settling is not None:
             raise MotesError(
@@ -80,6 +85,11 @@ def stage(
     share: Deposit | None = None
     own: Floats | None = None
     if settling is not None:
+        if item.name == FLAT and item.mesh is None:
+            raise MotesError(
+                "dust lies evenly on a flat sample",
+                "Leave --deposit out, or choose another scene: sphere, bunny, teapot",
+            )
         item = _as_mesh(item)
         assert item.mesh is not None
         share = deposit(item.mesh, progress=progress, **settling)
@@ -106,11 +116,24 @@ def stage(
             assert layer is not None
             shown = Subject(item.mesh.with_attribute("tau", tau), item.name)
             bsdf[layer.depth.name] = {"type": "mesh_attribute", "name": "vertex_tau"}
-        return preview(shown, bsdf, size=look.size, env=look.env)
+        return preview(shown, bsdf, size=look.size, env=look.env, lamp_deg=look.lamp_deg)
 
     def draw(time: float) -> Floats:
         return rendered(lambda: described(time), look)
 
+    return Stage(draw, tuple(notes))
+
+
+def _map_stage(fitted: FittedMap, look: Look, hours: tuple[float, float], settling: Mapping[str, Any] | None) -> Stage:
+    """A fitted map on its stage."""
+    from motes.rendering.map_stage import map_stage
+
+    if settling is not None:
+        raise MotesError(
+            f"dust cannot be deposited on the map {fitted.name}",
+            "In a Mitsuba scene motes_dusty lies over a nested motes_map",
+        )
+    draw, notes = map_stage(fitted, look, hours)
     return Stage(draw, tuple(notes))
 
 
@@ -140,6 +163,7 @@ def measured_stage(path: str | os.PathLike[str], look: Look) -> Stage:
     item = subject(look.scene, look.up)
 
     def draw(_: float) -> Floats:
-        return rendered(lambda: preview(item, {"type": "twosided", "inner": bsdf}, size=look.size, env=look.env), look)
+        shown = {"type": "twosided", "inner": bsdf}
+        return rendered(lambda: preview(item, shown, size=look.size, env=look.env, lamp_deg=look.lamp_deg), look)
 
     return Stage(draw)

@@ -17,7 +17,7 @@ from motes.rendering.passes import Look, traced
 Floats = NDArray[np.floating[Any]]
 
 
-def user_scene(look: Look, file: Path) -> Callable[[float], Floats]:
+def user_scene(look: Look, file: Path, plugin: str = "motes_material") -> Callable[[float], Floats]:
     """What draws the scene at a time [h].
 
     Parameters
@@ -25,7 +25,9 @@ def user_scene(look: Look, file: Path) -> Callable[[float], Floats]:
     look
         Its `scene` is the path of the XML file, which says its own size.
     file
-        The material.
+        The material, or the map.
+    plugin
+        What takes it.
 
     Raises
     ------
@@ -42,10 +44,10 @@ def user_scene(look: Look, file: Path) -> Callable[[float], Floats]:
         raise FormatError(f"{path} cannot be read: {error.strerror or error}", "Give the path of a scene") from error
     except ValueError:
         raise FormatError(f"{path} is not text", "Give the path of a Mitsuba scene in XML") from None
-    if "$material" not in text:
+    if "$material" not in text or plugin not in text:
         raise FormatError(
-            f"{path} has no place for the material",
-            'Write <bsdf type="motes_material"><string name="filename" value="$material"/><float name="time" value="$time"/></bsdf>',
+            f"{path} has no place for the {'material' if plugin == 'motes_material' else 'map'}",
+            f'Write <bsdf type="{plugin}"><string name="filename" value="$material"/><float name="time" value="$time"/></bsdf>',
         )
 
     def draw(time: float) -> Floats:
