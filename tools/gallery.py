@@ -65,6 +65,17 @@ ENTRIES = (
         ),
         "The highlight of wet paint fades and spreads, and its colour pales.",
     ),
+    Entry(
+        "A painted wall, every texel another",
+        "gallery_wall.png",
+        (
+            "motes simulate wall.zarr --size 96 --scans 3",
+            'motes fit wall.zarr --model "oren_nayar + torrance_sparrow"',
+            "motes render motes-wall.zarr --scene sphere --time 0,2,6 --size 280 --samples 100 -o gallery_wall.png",
+        ),
+        "A fitted map on a sphere: stripes that dry, simulated, measured with noise, fitted at each of 96 x 96 texels and three times. "
+        "Without `--scene` it is the flat sample, seen from above.",
+    ),
 )
 
 HEAD = """# Gallery
