@@ -630,7 +630,7 @@ def test_speed_on_the_software_renderer(chrome: Any, rock: Path) -> None:
         frames += 1;
         app.store.change({ azimuth: (app.store.state.azimuth + 3) % 180 });
         if (performance.now() - began < 3000) requestAnimationFrame(turn);
-        else resolve([frames, app.canvas.width, app.canvas.height]);
+        else resolve([frames, app.stage.clientWidth, app.stage.clientHeight]);
       };
       requestAnimationFrame(turn);
     })"""

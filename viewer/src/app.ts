@@ -75,12 +75,15 @@ export class App {
     declare(payload.models);
     this.pair = new Pair(payload);
     this.meshes = new Meshes(payload.shapes);
-    this.data = payload.measurement ? pointsFrom(payload.measurement) : null;
-    this.start = initial(payload.shapes.shapes[0]!.name, this.pair.firstHours ?? 0, this.pair.cameWithTwo);
-    if (this.data) this.start.incidence = commonIncidence(this.data);
-    this.store = new Store(structuredClone(this.start));
     this.canvas = h('canvas', { tabindex: 0, role: 'application', 'aria-label': 'The material on a shape. Arrow keys turn it, with Shift the lamp; plus and minus zoom; Space plays time.' });
     this.picture = new Picture(this.canvas);
+    this.start = initial(payload.shapes.shapes[0]!.name, this.pair.firstHours ?? 0, this.pair.cameWithTwo);
+    // Compiling takes longer than all that follows, and is done elsewhere.
+    this.picture.setMaterials(this.pair.shown(this.start));
+    this.picture.prepare(this.start, this.pair.shownValues(this.start), this.meshes.get(this.start.shape, this.start.up));
+    this.data = payload.measurement ? pointsFrom(payload.measurement) : null;
+    if (this.data) this.start.incidence = commonIncidence(this.data);
+    this.store = new Store(structuredClone(this.start));
     this.picture.lobe = this.lobe;
     this.probe = new Probe(this.picture.renderer);
     const change = (patch: Partial<State>): void => this.store.change(patch);

@@ -54,7 +54,7 @@ export function assemble(model: Model, slots: readonly Slot[], library: Record<s
     '}',
     '',
   ].join('\n');
-  return { source, name: NAME, uniforms, channels: Math.max(...slots.map((slot) => slot.value.length)), stages: false, kept: [] };
+  return { source, name: NAME, uniforms, channels: Math.max(...slots.map((slot) => slot.value.length)), stages: false, kept: [], table: null };
 }
 
 /** The name of a model's piece: its options as Motes names them. */

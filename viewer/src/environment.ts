@@ -57,21 +57,30 @@ function sky(w: Color): Color {
   return [color[0] + 1.0 * glow * seen, color[1] + 0.88 * glow * seen, color[2] + 0.7 * glow * seen];
 }
 
+/** How much of a soft box is seen in a direction. */
+function box(center: Color, width: number, height: number): (w: Color) => number {
+  const c = unit(center);
+  const right = unit([c[2], 0, -c[0]]);
+  const above: Color = [c[1] * right[2] - c[2] * right[1], c[2] * right[0] - c[0] * right[2], c[0] * right[1] - c[1] * right[0]];
+  return (w) => {
+    const facing = dot(w, c);
+    if (facing <= 0) return 0;
+    const across = Math.abs(dot(w, right)) / facing;
+    if (across >= 1.1 * width) return 0;
+    return (1 - step(0.8, 1.1, across / width)) * (1 - step(0.8, 1.1, Math.abs(dot(w, above)) / facing / height));
+  };
+}
+
+const KEY = box([-0.8, 0.75, 0.6], 0.55, 0.4);
+const STRIP = box([1.0, 0.25, 0.15], 0.16, 0.7);
+const RIM = box([0.3, 0.8, -1.0], 0.7, 0.22);
+
 /** A dark room with three soft boxes: a large one to the left above, a strip to the right, one behind. */
 function studio(w: Color): Color {
   const base = mix([0.06, 0.055, 0.05], [0.16, 0.165, 0.18], step(-0.4, 1, w[1]));
-  const box = (center: Color, width: number, height: number): number => {
-    const c = unit(center);
-    const right = unit([c[2], 0, -c[0]]);
-    const above: Color = [c[1] * right[2] - c[2] * right[1], c[2] * right[0] - c[0] * right[2], c[0] * right[1] - c[1] * right[0]];
-    const facing = dot(w, c);
-    if (facing <= 0) return 0;
-    const [x, y] = [dot(w, right) / facing, dot(w, above) / facing];
-    return (1 - step(0.8, 1.1, Math.abs(x) / width)) * (1 - step(0.8, 1.1, Math.abs(y) / height));
-  };
-  const key = 4.2 * box([-0.8, 0.75, 0.6], 0.55, 0.4);
-  const strip = 3.0 * box([1.0, 0.25, 0.15], 0.16, 0.7);
-  const rim = 4.0 * box([0.3, 0.8, -1.0], 0.7, 0.22);
+  const key = 4.2 * KEY(w);
+  const strip = 3.0 * STRIP(w);
+  const rim = 4.0 * RIM(w);
   return [base[0] + 1.0 * key + 0.85 * strip + 0.95 * rim, base[1] + 0.96 * key + 0.93 * strip + 0.97 * rim, base[2] + 0.88 * key + 1.05 * strip + 1.0 * rim];
 }
 

@@ -44,6 +44,7 @@ export interface ModelDeclaration {
 export const MATERIAL_FORMAT = "motes material";
 export const MATERIAL_VERSION = 1;
 export const LARGEST_MATERIAL = 67108864;
+export const SHARES = 257;
 export const PAYLOAD_VERSION = 1;
 
 /** Those of Motes itself; a page brings the others that it needs. */
@@ -835,7 +836,7 @@ export interface UniformView {
   size: number;
 }
 
-/** A printed shader: ``name_with(wi, wo, ...)`` takes the uniforms' values in this order. Where it is in `stages`, ``name_parameters(...)`` computes once what parameters alone need, ``name_view(wo, ...)`` what ``name_light(wi, wo, ...)`` needs for each of many lights. Where the first is long, `kept` are its variables, which a table holds instead. */
+/** A printed shader: ``name_with(wi, wo, ...)`` takes the uniforms' values in this order. Where it is in `stages`, ``name_parameters(...)`` computes once what parameters alone need, ``name_view(wo, ...)`` what ``name_light(wi, wo, ...)`` needs for each of many lights. Where the first is long, `kept` are its variables, which a table holds instead; `table` is that of the first picture. */
 export interface ShaderView {
   source: string;
   name: string;
@@ -843,6 +844,13 @@ export interface ShaderView {
   channels: number;
   stages: boolean;
   kept: KeptView[];
+  table: KeptTable | null;
+}
+
+/** What is kept, at the values that a page begins with: for each share of dust (`SHARES` of them) in turn all numbers of the variables. */
+export interface KeptTable {
+  values: Record<string, number[]>;
+  data: string;
 }
 
 /** A global variable of a shader: ``float``, ``vec3`` or ``bool``. */

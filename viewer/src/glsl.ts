@@ -87,16 +87,17 @@ void main() {
   begin(wo, share);
   vec3 toLamp = lampPosition - vPosition;
   float squared = dot(toLamp, toLamp);
-  vec3 wi = frame * (toLamp * inversesqrt(squared));
   // lampStrength: the radiance of a white diffuser at the middle that faces the lamp.
-  vec3 sum = wi.z > 0.0 ? reflected(wi, wo, share) * (PI * lampStrength * dot(lampPosition, lampPosition) / squared * wi.z) : vec3(0.0);
-  vec3 sky = vec3(0.0);
-  for (int k = skyFirst; k < skyFirst + skyCount; ++k) {
+  vec3 weight = vec3(PI * lampStrength * dot(lampPosition, lampPosition) / squared);
+  vec3 wi = frame * (toLamp * inversesqrt(squared));
+  vec3 sum = vec3(0.0);
+  // The lamp goes first through the same loop: where a BRDF is written twice, a processor that draws compiles it twice.
+  for (int k = skyFirst; k <= skyFirst + skyCount; ++k) {
+    if (wi.z > 0.0) sum += reflected(wi, wo, share) * (wi.z * weight);
     int at = 2 * k;
     wi = frame * texelFetch(skyDirections, ivec2(at & 255, at >> 8), 0).xyz;
-    if (wi.z > 0.0) sky += reflected(wi, wo, share) * wi.z * texelFetch(skyDirections, ivec2((at + 1) & 255, at >> 8), 0).xyz;
+    weight = texelFetch(skyDirections, ivec2((at + 1) & 255, at >> 8), 0).xyz * (skyStrength / float(max(skyCount, 1)));
   }
-  if (skyCount > 0) sum += sky * (skyStrength / float(skyCount));
   color = vec4(sum, 1.0);
 }`;
 }

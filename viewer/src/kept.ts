@@ -1,13 +1,11 @@
 // What a shader computes from parameters alone, where that is long: a table of it over the share of the layer that lies at a place.
 
-import { GLSL3, Mesh, OrthographicCamera, PlaneGeometry, Scene, ShaderMaterial, type Texture, type WebGLRenderer, type WebGLRenderTarget } from 'three';
-import type { ShaderView } from './generated';
+import { DataTexture, FloatType, GLSL3, Mesh, OrthographicCamera, PlaneGeometry, RGBAFormat, Scene, ShaderMaterial, type Texture, type WebGLRenderer, type WebGLRenderTarget } from 'three';
+import { SHARES, type ShaderView } from './generated';
 import { FULL_VERTEX, uniformValues, withShare } from './glsl';
 import type { Material, Values } from './material';
+import { bytes } from './packed';
 import { target } from './passes';
-
-/** Shares 0 to 1 at the cubes of even steps, which are dense where there is hardly any dust and what is kept may go as its logarithm; lines between. */
-const SHARES = 257;
 
 /** Each number of the variables, in order: its text, and how it is written from a number. */
 function numbers(shader: ShaderView): { read: string; write: (value: string) => string }[] {
@@ -44,6 +42,18 @@ export function beginning(material: Material): string {
   ].join('\n');
 }
 
+/** A table that Motes made: for each share its numbers, four to a texel and a row of these for each four. */
+function tabulated(data: ArrayBuffer, count: number, rows: number): DataTexture {
+  const numbers = new Float32Array(data);
+  const texels = new Float32Array(4 * SHARES * rows);
+  for (let share = 0; share < SHARES; share += 1) {
+    for (let k = 0; k < count; k += 1) texels[4 * (Math.floor(k / 4) * SHARES + share) + (k % 4)] = numbers[share * count + k]!;
+  }
+  const texture = new DataTexture(texels, SHARES, rows, RGBAFormat, FloatType);
+  texture.needsUpdate = true;
+  return texture;
+}
+
 /** The table of one material, drawn anew when its values change. */
 export class Kept {
   private target: WebGLRenderTarget;
@@ -52,6 +62,8 @@ export class Kept {
   private readonly camera = new OrthographicCamera();
   private readonly quad: Mesh<PlaneGeometry, ShaderMaterial>;
   private drawn = '';
+  /** That of the values that the page came with, which needs no program yet. */
+  private given: DataTexture | null = null;
 
   constructor(private readonly material: Material) {
     const { shader } = material;
@@ -69,10 +81,12 @@ export class Kept {
     this.quad = new Mesh(new PlaneGeometry(2, 2), this.program);
     this.quad.frustumCulled = false;
     this.scene.add(this.quad);
+    if (shader.table) this.given = tabulated(bytes(shader.table.data), all.length, rows);
   }
 
   /** The table of these values. */
   texture(renderer: WebGLRenderer, values: Values): Texture {
+    if (this.given && this.isGiven(values)) return this.given;
     const wanted = JSON.stringify(values);
     if (wanted !== this.drawn) {
       Object.assign(this.program.uniforms, uniformValues(this.material, values));
@@ -84,6 +98,19 @@ export class Kept {
     return this.target.texture;
   }
 
+  /** Compile the program, which takes a while where the processor draws, before somebody moves a slider. */
+  ready(renderer: WebGLRenderer, values: Values): void {
+    if (!this.given) return;
+    Object.assign(this.program.uniforms, uniformValues(this.material, values));
+    renderer.setRenderTarget(this.target);
+    renderer.render(this.scene, this.camera);
+  }
+
+  private isGiven(values: Values): boolean {
+    const given = this.material.shader.table?.values ?? {};
+    return Object.entries(given).every(([slot, numbers]) => numbers.every((x, k) => Math.abs(x - (values[slot]?.[k] ?? NaN)) <= 1e-6 * Math.abs(x)));
+  }
+
   /** After a lost context came back. */
   revive(): void {
     this.target = target(SHARES, this.target.height, false);
@@ -92,6 +119,7 @@ export class Kept {
 
   dispose(): void {
     this.target.dispose();
+    this.given?.dispose();
     this.program.dispose();
     this.quad.geometry.dispose();
   }

@@ -16,9 +16,8 @@ void main() {
 // Tone mapping works on what covers a pixel, which then covers it by its share.  three.js fills in its operators here.
 export const SHOW = /* glsl */ `
 uniform sampler2D average;
-uniform int coarseness;
 void main() {
-  gl_FragColor = texelFetch(average, ivec2(gl_FragCoord.xy) / coarseness, 0);
+  gl_FragColor = texelFetch(average, ivec2(gl_FragCoord.xy), 0);
   float covered = gl_FragColor.a;
   if (covered > 0.0) gl_FragColor.rgb /= covered;
   #include <tonemapping_fragment>

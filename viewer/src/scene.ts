@@ -40,7 +40,9 @@ const FEWEST = 2;
 const MOST = 64;
 const AT_REST = 8;
 const PATIENCE_MS = 45;
-const COARSEST = 3;
+const COARSEST = 8;
+/** On a slow machine the picture counts as at rest after so long. */
+const SETTLED_MS = 120;
 /** At rest a frame draws as many rows of the picture as take about so long: what is asked for in between need not wait. */
 const REST_MS: [number, number] = [60, 160];
 
@@ -57,6 +59,9 @@ export class Picture {
   private readonly mesh = new Mesh<BufferGeometry, ShaderMaterial>();
   private readonly backdrop: Mesh<SphereGeometry, ShaderMaterial>;
   private readonly ground = new Mesh<BufferGeometry, ShaderMaterial>(undefined, groundMaterial());
+  /** Whether the ground is that of another mesh still: the first picture does without. */
+  private groundDue = true;
+  private shownOnce = false;
   /** The radiance that a white diffuser facing up gets of the surroundings. */
   private up = 0;
   /** A sky of the user's. */
@@ -65,7 +70,7 @@ export class Picture {
   private readonly flatCamera = new OrthographicCamera();
   private readonly quad = new Mesh(new PlaneGeometry(2, 2));
   private readonly averaging = quadMaterial(AVERAGE, GLSL3, { before: { value: null }, now: { value: null }, share: { value: 1 } });
-  private readonly showing = quadMaterial(SHOW, null, { average: { value: null }, coarseness: { value: 1 } });
+  private readonly showing = quadMaterial(SHOW, null, { average: { value: null } });
   private shown: Shown[] = [];
   private sample: WebGLRenderTarget;
   private sums: [WebGLRenderTarget, WebGLRenderTarget];
@@ -76,11 +81,12 @@ export class Picture {
   private moved = true;
   /** Whether no light comes from the surroundings. */
   private dark = false;
-  /** Directions of the sky a frame while things move, and how many pixels are drawn as one; both follow the machine. */
+  /** Directions of the sky a frame while things move, and how many pixels to the side are drawn as one; both follow the machine. */
   batch = 4;
-  coarseness = 2;
+  coarseness = 3;
   private times: number[] = [];
   private turning = false;
+  private movedAt = 0;
   /** At rest: rows that this pass has drawn, and rows times directions that a frame draws. */
   private row = 0;
   private budget = 0;
@@ -120,8 +126,7 @@ export class Picture {
 
   setGeometry(geometry: BufferGeometry): void {
     this.mesh.geometry = geometry;
-    this.ground.geometry.dispose();
-    this.ground.geometry = groundOf(geometry);
+    this.groundDue = true;
     this.restart();
   }
 
@@ -129,7 +134,6 @@ export class Picture {
   resize(width: number, height: number, ratio: number): void {
     const [w, h] = [Math.max(Math.round(width * ratio), 1), Math.max(Math.round(height * ratio), 1)];
     if (this.sample.width === w && this.sample.height === h) return;
-    this.renderer.setSize(w, h, false);
     this.sample.setSize(w, h);
     for (const sum of this.sums) sum.setSize(w, h);
     this.restart();
@@ -163,17 +167,42 @@ export class Picture {
   draw(state: State, values: readonly Values[]): void {
     if (state.environment !== this.environment) this.setEnvironment(state.environment);
     this.dark = state.environment === 'none' || state.sky === 0;
+    if (this.groundDue && this.shownOnce) {
+      this.ground.geometry.dispose();
+      this.ground.geometry = groundOf(this.mesh.geometry);
+      this.groundDue = false;
+      // What the first picture did without, and what the first change will ask for.
+      this.shown.forEach(({ kept }, k) => kept?.ready(this.renderer, values[k]!));
+    }
+    const now = performance.now();
+    if (this.moved) this.movedAt = now;
+    // Whoever turns the shape on a slow machine makes pauses of a frame or two, and a fine pass in one of them would hold up the next move.
+    else if (this.coarseness > 1 && this.frame === 0 && this.row === 0 && now - this.movedAt < SETTLED_MS) return;
     this.adapt();
     const coarse = this.moved ? this.coarseness : 1;
     let passed = this.moved || this.complete;
-    if (this.moved && coarse > 1) this.shade(state, values, Math.ceil(this.sample.width / coarse), Math.ceil(this.sample.height / coarse), this.batch);
+    if (this.moved && coarse > 1) this.shade(state, values, ...this.size(coarse), this.batch);
     else if (!this.complete) passed = this.pass(state, values);
     if (passed || (this.stale && this.frame > 0)) {
-      this.show(state, coarse === 1 ? this.sums[0] : this.sample, coarse);
-      this.lobe?.draw(this.renderer, this.camera, this.sample.width, this.sample.height);
+      const [width, height] = this.fit(coarse);
+      this.show(state, coarse === 1 ? this.sums[0] : this.sample, width, height);
+      this.lobe?.draw(this.renderer, this.camera, width, height);
       this.stale = false;
+      this.shownOnce = true;
     }
     this.moved = false;
+  }
+
+  /** Width and height of the picture where so many pixels to the side are one. */
+  private size(coarse: number): [number, number] {
+    return [Math.ceil(this.sample.width / coarse), Math.ceil(this.sample.height / coarse)];
+  }
+
+  /** The canvas at that size, which the page stretches: bringing pixels to the screen takes longer than shading a plain material. */
+  private fit(coarse: number): [number, number] {
+    const [width, height] = this.size(coarse);
+    if (this.canvas.width !== width || this.canvas.height !== height) this.renderer.setSize(width, height, false);
+    return [width, height];
   }
 
   /** Some rows of the picture, or all of them, with the next directions; whether it is whole. */
@@ -265,7 +294,7 @@ export class Picture {
     this.backdrop.visible = state.backdrop && state.environment !== 'none';
     // What a white ground gets of the surroundings, of all that it gets with the lamp.
     const [sky, lamp] = [this.up * state.sky, state.lamp * Math.max(Math.sin(radians(state.lampElevation)), 0)];
-    this.ground.visible = state.ground && !this.dark && !this.backdrop.visible;
+    this.ground.visible = state.ground && !this.groundDue && !this.dark && !this.backdrop.visible;
     this.ground.material.uniforms['strength']!.value = sky > 0 ? sky / (sky + lamp) : 0;
   }
 
@@ -295,18 +324,25 @@ export class Picture {
     this.sums = [this.sums[1], this.sums[0]];
   }
 
-  private show(state: State, shown: WebGLRenderTarget, coarseness: number): void {
+  private show(state: State, shown: WebGLRenderTarget, width: number, height: number): void {
     const renderer = this.renderer;
     renderer.setRenderTarget(null);
     renderer.setScissorTest(false);
-    renderer.setViewport(0, 0, this.sample.width, this.sample.height);
+    renderer.setViewport(0, 0, width, height);
     renderer.clear();
     renderer.toneMapping = TONES[state.tone as keyof typeof TONES] ?? NeutralToneMapping;
     renderer.toneMappingExposure = 2 ** state.exposure;
     this.showing.uniforms['average']!.value = shown.texture;
-    this.showing.uniforms['coarseness']!.value = coarseness;
     this.quad.material = this.showing;
     renderer.render(this.flat, this.flatCamera);
+  }
+
+  /** Draw a pixel, so that whoever draws compiles what the first picture needs while the page is built. */
+  prepare(state: State, values: readonly Values[], geometry: BufferGeometry): void {
+    this.mesh.geometry = geometry;
+    this.shade(state, values, 1, 1, 1);
+    this.show(state, this.sample, 1, 1);
+    this.renderer.getContext().flush();
   }
 
   /** Called at each frame: more directions, pixels and rows where the machine is quick, fewer where it is not. */
@@ -324,7 +360,7 @@ export class Picture {
       else if (mean < REST_MS[0]) this.budget = Math.min(this.budget * 2, MOST * this.sample.height);
     } else if (mean > PATIENCE_MS) {
       if (this.batch > FEWEST) this.batch /= 2;
-      else this.coarseness = Math.min(this.coarseness + 1, COARSEST);
+      else this.coarseness = Math.min(Math.ceil(this.coarseness * Math.min(Math.sqrt(mean / PATIENCE_MS), 2)), COARSEST);
     } else if (mean < PATIENCE_MS / 2) {
       if (this.coarseness > 1) this.coarseness -= 1;
       else if (this.batch < MOST) this.batch *= 2;

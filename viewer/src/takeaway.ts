@@ -39,8 +39,14 @@ export function slug(name: string): string {
   return name.replace(/[^\w.-]+/g, '-').replace(/^[-.]+|[-.]+$/g, '').slice(0, 60) || 'material';
 }
 
+/** The picture as large as it is seen: while things move the canvas has fewer pixels. */
 export function pictureOf(canvas: HTMLCanvasElement): Promise<Blob> {
-  return new Promise((resolve, reject) => canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('The picture cannot be read')))));
+  let whole = canvas;
+  if (canvas.width < canvas.clientWidth) {
+    whole = h('canvas', { width: canvas.clientWidth, height: canvas.clientHeight });
+    whole.getContext('2d')?.drawImage(canvas, 0, 0, whole.width, whole.height);
+  }
+  return new Promise((resolve, reject) => whole.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('The picture cannot be read')))));
 }
 
 /** The part of the panel with the buttons; `link` is null where there is none. */

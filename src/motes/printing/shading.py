@@ -188,11 +188,17 @@ class Stages:
         The variables of the first stage, and their types.
     work
         How many operations the first stage takes.
+    symbols
+        What the variables of the first stage stand for, in their order.
+    parameters
+        The leaves of these.
     """
 
     lines: list[str]
     kept: dict[str, str]
     work: int
+    symbols: list[Symbol]
+    parameters: tuple[tracing.TracedParameter, ...]
 
 
 _LIGHT, _VIEW, _PARAMETERS = 1, 2, 4
@@ -249,7 +255,9 @@ def define_in_stages(
         ],
     )
     work = sum(bit == _PARAMETERS and symbol.op != "leaf" for symbol, bit in bits.items())
-    return Stages(lines[:-1], {variable: types[variable] for variable in held[0].values()}, work)
+    return Stages(
+        lines[:-1], {variable: types[variable] for variable in held[0].values()}, work, first, trace.parameters
+    )
 
 
 _EXTREMA = {"minimum": "min", "maximum": "max"}

@@ -6,6 +6,8 @@ from typing import Any, Literal, TypedDict
 
 #: Changes when the page of an older Motes could not read a payload.
 VERSION = 1
+#: The table of what a shader keeps has columns for so many shares of dust, at the cubes of even steps from 0 to 1, which are dense where there is hardly any.
+SHARES = 257
 
 
 class ParameterJson(TypedDict):
@@ -44,7 +46,7 @@ class ShaderView(TypedDict):
     """A printed shader: ``name_with(wi, wo, ...)`` takes the uniforms' values in this order.
 
     Where it is in `stages`, ``name_parameters(...)`` computes once what parameters alone need, ``name_view(wo, ...)`` what ``name_light(wi, wo, ...)`` needs
-    for each of many lights.  Where the first is long, `kept` are its variables, which a table holds instead.
+    for each of many lights.  Where the first is long, `kept` are its variables, which a table holds instead; `table` is that of the first picture.
     """
 
     source: str
@@ -53,6 +55,14 @@ class ShaderView(TypedDict):
     channels: int
     stages: bool
     kept: list[KeptView]
+    table: KeptTable | None
+
+
+class KeptTable(TypedDict):
+    """What is kept, at the values that a page begins with: for each share of dust (`SHARES` of them) in turn all numbers of the variables."""
+
+    values: dict[str, list[float]]
+    data: str
 
 
 class KeptView(TypedDict):

@@ -71,6 +71,7 @@ def typescript() -> str:
     lines += [f"export const MATERIAL_FORMAT = {json.dumps(material.Material(Lambert()).to_dict()['format'])};"]
     lines += [f"export const MATERIAL_VERSION = {material.VERSION};"]
     lines += [f"export const LARGEST_MATERIAL = {material.LARGEST_FILE};"]
+    lines += [f"export const SHARES = {contract.SHARES};"]
     lines += [f"export const PAYLOAD_VERSION = {contract.VERSION};", ""]
     lines += ["/** Those of Motes itself; a page brings the others that it needs. */"]
     lines += ["export const MODELS: Record<string, ModelDeclaration> = "]

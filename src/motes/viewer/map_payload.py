@@ -16,7 +16,7 @@ from motes.measurements.origin import not_measured
 from motes.report.map_page import BLANK, STATUS_COLORS, VERDICT_COLORS
 from motes.version import __version__
 from motes.viewer.contract import VERSION, LayerView, MapPayload
-from motes.viewer.payload import packed
+from motes.viewer.packing import packed
 
 #: Numbers that a page holds, of all maps together: 4 bytes each, in base64 a third more.
 MOST_NUMBERS = 1_500_000

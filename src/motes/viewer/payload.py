@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import base64
 from collections.abc import Mapping
 from typing import Any, cast
 
@@ -31,6 +30,7 @@ from motes.viewer.contract import (
     TrendView,
 )
 from motes.viewer.declarations import declared, range_view
+from motes.viewer.packing import packed
 from motes.viewer.shader_library import in_stages, library
 from motes.viewer.shipped_shapes import shapes
 
@@ -203,11 +203,6 @@ def _thinned(data: Measurement) -> NDArray[np.int64]:
     inside, outside = rng.permutation(usable[level]), rng.permutation(usable[~level])
     n_inside = min(len(inside), max(most // 2, most - len(outside)))
     return np.sort(np.concatenate([inside[:n_inside], outside[: most - n_inside]]))
-
-
-def packed(values: Any, dtype: str) -> str:
-    """An array as base64 of little-endian numbers."""
-    return base64.b64encode(np.ascontiguousarray(values).astype(dtype).tobytes()).decode("ascii")
 
 
 def _finite(x: Any) -> Any:

@@ -14,13 +14,19 @@ from typing import Any
 
 import numpy as np
 
+from motes.arrays import NUMPY
 from motes.errors import ParameterError
 from motes.exports import glsl
-from motes.exports.shaders import Shader
+from motes.exports.shaders import Shader, prepare
+from motes.graph import tracing
+from motes.graph.tracing import Symbol
 from motes.models import BRDF, Fresnel, Lambert, registered
+from motes.models.composition import layer_of
 from motes.models.particles import MULTIPLE
 from motes.parameters import Parametrised, Place
-from motes.viewer.contract import KeptView, ShaderView, UniformView
+from motes.printing.shading import Stages
+from motes.viewer.contract import SHARES, KeptTable, KeptView, ShaderView, UniformView
+from motes.viewer.packing import packed
 
 #: Operations of parameters alone from which a table of them pays.
 LONG = 200
@@ -33,7 +39,27 @@ def in_stages(model: BRDF, title: str) -> ShaderView:
     if stages is None:
         return printed
     kept = [KeptView(name=name, type=type_) for name, type_ in stages.kept.items()] if stages.work >= LONG else []
-    return {**printed, "stages": True, "kept": kept}
+    return {**printed, "stages": True, "kept": kept, "table": _table(model, stages) if kept else None}
+
+
+def _table(model: BRDF, stages: Stages) -> KeptTable:
+    """What the first stage computes at a model's own values, where its layer's thickness is that times each share: compiling it takes a browser longer."""
+    prepared = prepare(model)
+    layer = layer_of(model)
+    outer = layer.depth.name if layer else ""
+    shares = (np.arange(SHARES) / (SHARES - 1)) ** 3
+    leaves: dict[Symbol, Any] = {}
+    values: dict[str, list[float]] = {}
+    for p in stages.parameters:
+        slot = next(slot for slot in prepared.slots if slot.name == p.slot)
+        value = np.atleast_1d(np.asarray(prepared.value(slot), float))
+        values[p.slot] = value.tolist()
+        leaves[p.symbol] = value[None] * (shares[:, None] if p.slot == outer else 1.0)
+    with np.errstate(all="ignore"):
+        found = tracing.evaluate(NUMPY, stages.symbols, leaves)
+    widths = [3 if type_ == "vec3" else 1 for type_ in stages.kept.values()]
+    columns = [np.broadcast_to(np.asarray(x, float), (SHARES, n)) for x, n in zip(found, widths, strict=True)]
+    return {"values": values, "data": packed(np.concatenate(columns, axis=1), "<f4")}
 
 
 def shader_view(shader: Shader) -> ShaderView:
@@ -49,6 +75,7 @@ def shader_view(shader: Shader) -> ShaderView:
         "channels": shader.channels,
         "stages": False,
         "kept": [],
+        "table": None,
     }
 
 

@@ -6,7 +6,6 @@ and on their vertices the share of `motes.rendering.deposition` without its nois
 
 from __future__ import annotations
 
-import base64
 import json
 from functools import cache
 from importlib import resources
@@ -15,6 +14,7 @@ from typing import Any, cast
 import numpy as np
 
 from motes.viewer.contract import ShapesView, ShapeView
+from motes.viewer.packing import packed
 
 FILE = "shapes.json"
 STEPS = 61  # of the angle from 0 to 180 degrees
@@ -53,17 +53,13 @@ def _view(mesh: Any) -> ShapeView:
         "name": mesh.name,
         "low": tuple(low.tolist()),
         "high": tuple(high.tolist()),
-        "positions": _packed(_steps(mesh.positions, low, high), "<u2"),
-        "normals": _packed(np.round(mesh.normals * 32767), "<i2"),
-        "triangles": _packed(mesh.triangles, "<u2"),
-        "dust": _packed(np.round(share * 255), "u1"),
+        "positions": packed(_steps(mesh.positions, low, high), "<u2"),
+        "normals": packed(np.round(mesh.normals * 32767), "<i2"),
+        "triangles": packed(mesh.triangles, "<u2"),
+        "dust": packed(np.round(share * 255), "u1"),
     }
 
 
 def _steps(positions: Any, low: Any, high: Any) -> Any:
     """Positions in 65,535 steps of the box; vertices of a seam, which rounding of the last bits keeps apart, come to the same step."""
     return np.round(np.round((positions - low) / (high - low) * 65535, 3))
-
-
-def _packed(values: Any, dtype: str) -> str:
-    return base64.b64encode(np.ascontiguousarray(values).astype(dtype).tobytes()).decode("ascii")
