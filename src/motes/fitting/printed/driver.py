@@ -136,7 +136,7 @@ class Layout:
             f"LANES, SIZE, LOCAL, CHANNELS, WIDTH, BLANK = {LANES}, {self.size}, {self.local}, {self.channels}, {self.width}, F({self.blank})",
             f"NARROW, OPENING, SUMS, BASIS, ROWS, STATE = {self.narrow}, {self.opening}, {self.sums}, {self.basis}, {self.rows}, {len(STATE)}",
             f"TRIANGLE, LOCAL_TRIANGLE = {self.triangle}, {self.local_triangle}",
-            *(f"{name.upper()} = {SCALARS.index(name)}" for name in ("running", "ending", "brightness")),
+            *(f"{name.upper()} = {SCALARS.index(name)}" for name in ("running", "iterations", "ending", "brightness")),
             f"NONE, ROUNDS, LONG, FIRST, LINES = {NO_VERDICT}, {ROUNDS}, {LONG_RUN}, {FIRST_STEPS}, {LINES_AHEAD}",
         ]
         start = 0

@@ -249,7 +249,12 @@ def fit(
         for iteration in range(limit):
             running = 0
             for n in range(LANES):
-                running += load(D, state, (after + RUNNING) * LANES + n, "other", 1) > D(0.0)
+                on = load(D, state, (after + RUNNING) * LANES + n, "other", 1) > D(0.0)
+                if on and load(D, state, (after + ITERATIONS) * LANES + n, "other", 1) >= limit:  # begun in another block: it waits
+                    store(D, state, (after + RUNNING) * LANES + n, D(0.0), "plain", 0, 1)
+                    store(D, state, (after + ENDING) * LANES + n, D(-1.0), "plain", 0, 1)
+                    on = False
+                running += on
             few = min(leave, count // 2) if iteration >= LONG else 0
             if running <= few:
                 break
@@ -270,6 +275,9 @@ def fit(
             state, next_state = next_state, state
         for n in range(count):
             texel = first + n
+            if load(D, state, (after + ENDING) * LANES + n, "other", 1) < D(0.0):
+                store(D, state, (after + RUNNING) * LANES + n, D(1.0), "plain", 0, 1)
+                store(D, state, (after + ENDING) * LANES + n, D(0.0), "plain", 0, 1)
             for k in range(SIZE):
                 store(D, points, texel * SIZE + k, load(D, state, k * LANES + n, "other", 1), "plain", 0, 1)
             for k in range(BRIGHTNESS):
