@@ -40,7 +40,7 @@ def texels(fit: TexelSolver, count: int, noise: float = 0.02) -> NDArray[np.floa
 def test_the_start_is_the_one_from_which_a_fit_with_its_width_and_roughness_held_leaves_least(loss: str) -> None:
     fit = solver(weights=np.linspace(0.5, 2.0, 20), loss=loss)
     data = texels(fit, 40)
-    found = Nearest(fit, STARTS, HELD).points(data)
+    found, _ = Nearest(fit, STARTS, HELD).points(data)
     for texel, point in zip(data, found, strict=True):
         problem = single(problem_of(fit, texel[None]), 0)
         left = problem.solve(STARTS, held=HELD).normal.objective  # by the solver of `motes.fit`
@@ -56,20 +56,24 @@ def test_without_noise_a_texel_takes_the_start_that_has_its_width() -> None:
     K_d = np.array([0.3, 0.2, 0.5])
     for k, start in enumerate(STARTS):
         brdf = motes.OrenNayar(K_d, float(np.sqrt(start[3]))) + motes.TorranceSparrow(0.4, float(start[5]))
-        found = Nearest(fit, STARTS, HELD).points(brdf.eval(fit.wi, fit.wo)[None].astype(np.float32))
+        found, _ = Nearest(fit, STARTS, HELD).points(brdf.eval(fit.wi, fit.wo)[None].astype(np.float32))
         np.testing.assert_array_equal(found[0][HELD], STARTS[k][HELD])
         np.testing.assert_allclose(found[0][[0, 1, 2, 4]], [*K_d, 0.4], rtol=0.03)
 
 
 def test_bits_do_not_depend_on_what_else_is_in_the_call(monkeypatch: pytest.MonkeyPatch) -> None:
     fit = solver()
-    data = texels(fit, TASK + 777)
+    data = texels(fit, 2 * TASK + 777)
     nearest = Nearest(fit, STARTS, HELD)
-    whole = nearest.points(data)
-    np.testing.assert_array_equal(nearest.points(data[100:101]), whole[100:101])
-    np.testing.assert_array_equal(nearest.points(data[3:4500]), whole[3:4500])
+    whole, _ = nearest.points(data)
+    np.testing.assert_array_equal(nearest.points(data[100:101])[0], whole[100:101])
+    np.testing.assert_array_equal(nearest.points(data[3:4500])[0], whole[3:4500])
+    data[7, 3, 1], data[4400, 0, 0] = np.nan, -np.inf
+    spoilt, missing = nearest.points(data)
+    assert np.flatnonzero(missing).tolist() == [7, 4400]
+    np.testing.assert_array_equal(spoilt[~missing], whole[~missing])
     monkeypatch.setenv("NUMBA_NUM_THREADS", "1")
-    np.testing.assert_array_equal(nearest.points(data), whole)
+    np.testing.assert_array_equal(nearest.points(data)[0][~missing], whole[~missing])
 
 
 def test_a_texel_that_misses_a_sample_takes_its_start_as_before() -> None:
@@ -88,4 +92,4 @@ def test_where_no_texel_is_whole_there_is_nothing_to_compare() -> None:
     fit = solver()
     empty = fit.fit(np.full((5, 20, 3), np.nan, np.float32), STARTS)
     assert empty.status.tolist() == [TexelStatus.NO_DATA] * 5
-    assert Nearest(fit, STARTS, HELD).points(np.zeros((0, 20, 3), np.float32)).shape == (0, 6)
+    assert Nearest(fit, STARTS, HELD).points(np.zeros((0, 20, 3), np.float32))[0].shape == (0, 6)

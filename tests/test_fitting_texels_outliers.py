@@ -113,3 +113,19 @@ def test_what_a_texel_gets_does_not_depend_on_its_neighbours() -> None:
     mixed = solver.fit(np.concatenate([clean[:7], spoilt[10:20]]), starts)
     np.testing.assert_array_equal(mixed.x[7:], alone.x)
     np.testing.assert_array_equal(mixed.stderr[7:], alone.stderr)
+
+
+def test_pieces_that_threads_take_give_the_bits_of_one_call(monkeypatch: pytest.MonkeyPatch) -> None:
+    solver, starts = _solver()
+    values = _texels()[1]
+    whole = solver.fit(values, starts, covariance=True)
+    monkeypatch.setattr(module, "MOST_TOGETHER", 64)
+    monkeypatch.setattr(module, "LEAST_TOGETHER", 1)
+    monkeypatch.setenv("NUMBA_NUM_THREADS", "3")
+    for name, part in solver.fit(values, starts, covariance=True)._asdict().items():
+        np.testing.assert_array_equal(part, getattr(whole, name), err_msg=name)
+    own = np.repeat(starts[:1], COUNT, axis=0)
+    own[::2] = starts[1]
+    apart = solver.fit(values, own, own_starts=True)
+    monkeypatch.undo()
+    np.testing.assert_array_equal(apart.x, solver.fit(values, own, own_starts=True).x)

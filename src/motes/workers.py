@@ -16,6 +16,7 @@ T = TypeVar("T")
 
 _pool: ThreadPoolExecutor | None = None
 _lock = threading.RLock()
+_here = threading.local()
 
 
 def threads() -> int:
@@ -29,7 +30,7 @@ def threads() -> int:
 def spread(tasks: int, work: Callable[[int, T], None], room: Callable[[], T]) -> None:
     """Call ``work(task, memory)`` for each of so many tasks, in turn on all threads; ``room()`` makes a thread's own memory.
 
-    An error in a task ends the work and is raised, once no thread is at work any more.
+    An error in a task ends the work and is raised, once no thread is at work any more.  What a task spreads itself, its own thread does.
     """
     waiting = iter(range(tasks))
     lock = threading.Lock()
@@ -39,12 +40,16 @@ def spread(tasks: int, work: Callable[[int, T], None], room: Callable[[], T]) ->
             return next(waiting, None)
 
     def drain() -> None:
-        memory = room()
-        while (task := take()) is not None:
-            work(task, memory)
+        outer, _here.at_work = at_work(), True
+        try:
+            memory = room()
+            while (task := take()) is not None:
+                work(task, memory)
+        finally:
+            _here.at_work = outer
 
     others = []
-    if tasks > 1 and threads() > 1:
+    if tasks > 1 and threads() > 1 and not at_work():
         pool = _helpers()
         with suppress(
             RuntimeError
@@ -58,6 +63,11 @@ def spread(tasks: int, work: Callable[[int, T], None], room: Callable[[], T]) ->
             pass
         for other in others:
             other.result()
+
+
+def at_work() -> bool:
+    """Whether this thread is at a task of `spread`."""
+    return bool(getattr(_here, "at_work", False))
 
 
 def _helpers() -> ThreadPoolExecutor:

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from motes import workers
 from motes.errors import DataError, MotesError
 from motes.fitting.columns import unit_of
 from motes.fitting.losses import ROBUST, Floats, Robust
@@ -31,7 +32,8 @@ from motes.kernels import engine
 
 # The plain fit before a robust one is drawn by what is far off: its errors are large, and a small share of them shows in the median.
 FIRST_REDUCTION = 1e-12
-
+# Texels that go through all of a fit together: their states and errors stay in the cache.  Fewer where threads would have none.
+MOST_TOGETHER, LEAST_TOGETHER = 16384, 2048
 
 # Outliers pull a fit into another valley.  A texel whose residuals are more than this share of its data, and whose fourth moment is so many times the
 # square of the second (3 for noise of one size, up to 12 for noise that goes with the value), is tried from all starts.
@@ -152,6 +154,22 @@ class TexelSolver(TexelSetup):
                     "Hold parameters, choose simpler trends, or leave it out",
                 )
             return self.finished(fit_slowly(self, data, points, own_starts))
+        if not own_starts and len(points) > 1 and not self.parts and self.loss.is_linear:
+            self._nearest(points)
+        step = min(MOST_TOGETHER, max(LEAST_TOGETHER, -(-len(data) // (2 * workers.threads()))))
+        pieces = [slice(k, min(len(data), k + step)) for k in range(0, max(1, len(data)), step)]
+        found: list[TexelFit | None] = [None] * len(pieces)
+
+        def work(k: int, _: None) -> None:
+            rows = pieces[k]
+            found[k] = self._fitted(data[rows], points[rows] if own_starts else points, own_starts, covariance)
+
+        work(0, None)  # alone: it compiles
+        workers.spread(len(pieces) - 1, lambda k, _: work(k + 1, _), lambda: None)
+        return _joined([part for part in found if part is not None])
+
+    def _fitted(self, data: Singles, points: Floats, own_starts: bool, covariance: bool) -> TexelFit:
+        """The fits of some texels from points in the coordinates of the fit."""
         noise = None
         robust = self.robust.name != "none"
         raw, directly = self._least_squares(
@@ -219,12 +237,9 @@ class TexelSolver(TexelSetup):
             return np.repeat(starts, len(data), axis=0)
         if self.parts or not self.loss.is_linear:
             return self._best_tried(kernel, data, starts)
-        whole = np.isfinite(data).all(axis=(1, 2))
-        if whole.all():
-            return self._nearest(starts).points(data)
-        best = np.empty((len(data), self.size))
-        best[whole] = self._nearest(starts).points(data[whole])
-        best[~whole] = self._best_tried(kernel, data[~whole], starts)
+        best, missing = self._nearest(starts).points(data)
+        if missing.any():
+            best[missing] = self._best_tried(kernel, data[missing], starts)
         return best
 
     def _nearest(self, starts: Floats) -> Nearest:
@@ -355,6 +370,14 @@ class TexelSolver(TexelSetup):
         data = self._checked(values)
         solver = self.in_units(unit_of(data, np.isfinite(data)))
         return representative_starts(solver, data, lambda rows, starts: solver.fit(data[rows], starts).x)
+
+
+def _joined(parts: list[TexelFit]) -> TexelFit:
+    """The fits of several calls as those of one."""
+    if len(parts) == 1:
+        return parts[0]
+    columns: list[Any] = [None if column[0] is None else np.concatenate(column) for column in zip(*parts, strict=True)]
+    return TexelFit(*columns)
 
 
 def _with_outliers(raw: Raw) -> NDArray[np.bool_]:

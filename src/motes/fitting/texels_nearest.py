@@ -7,7 +7,7 @@ matrices.  A kernel that goes over the data for each start takes three to five t
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,19 +21,11 @@ from motes.fitting.texels_slow import problem_of
 # Multiplications of one matrix product: fewer than those from which on the library shares them among threads of its own, which would wait for each other.
 PRODUCT = 1 << 18
 # Texels that a thread takes at a time: a whole number of such products.
-TASK = 4096
+TASK = 2048
+# What is left out of columns, as a share of the strongest direction among them; sums in float32 are rounded by as much.
+LEFT_OUT = 1e-7
 # Rounds over the columns of a fit that would leave its bounds.
 ROUNDS = 3
-
-
-class _Start(NamedTuple):
-    """What a start leaves of data, as sums of them tell: products G (r, r) of the free columns; what is to be taken off the products of the data
-    and the columns (r,), and off those times the inverse of G (r,); and half of what is left where the data are 0."""
-
-    gram: Floats
-    shift: Floats
-    solved: Floats
-    rest: float
 
 
 class Nearest:
@@ -56,8 +48,8 @@ class Nearest:
         problem = problem_of(fit, empty)
         factor = np.sqrt(fit.weights) * fit.loss.slope(np.ones(1), fit.wi[:, 2])  # (D,): of a value in a residual
         self.starts, self.free = points.copy(), np.flatnonzero(~held)
-        self._known: list[_Start] = []
-        columns = []
+        self._floor, self._ceiling = self.low[self.free, None], self.high[self.free, None]
+        onto, wanted, rests, shifts, solved, alone, grams = (list[Any]() for _ in range(7))
         for point in points:
             found, slopes = problem.linearised(point[None], slice(0, len(fit.wi)), None)
             dense = np.zeros((len(fit.wi), fit.channels, fit.size))
@@ -68,65 +60,97 @@ class Nearest:
             gram = own.T @ own
             inverse = np.linalg.pinv(gram, rcond=1e-12, hermitian=True)
             shift = own.T @ rest
-            self._known.append(_Start(gram, shift, inverse @ shift, float(rest @ rest)))
-            columns += [own, own @ inverse, rest[:, None]]
-        self._columns = (np.concatenate(columns, axis=1) * np.repeat(factor, fit.channels)[:, None]).astype(np.float32)
+            found_here = (own, own @ inverse, rest[:, None], shift, inverse @ shift, rest @ rest, gram)
+            for kept, value in zip((onto, wanted, rests, shifts, solved, alone, grams), found_here, strict=True):
+                kept.append(value)
+        # What a start leaves of data, sums of these with the columns tell: products of the data and the free columns less `shift`, those times the
+        # inverse of their own products less `solved`, those of the data and the rest of the model, and half of what is left where the data are 0.
+        self._shift, self._solved, self._alone = (
+            np.array(shifts)[..., None],
+            np.array(solved)[..., None],
+            np.array(alone),
+        )
+        self._grams = np.array(grams)
+        columns = np.concatenate([*onto, *wanted, *rests], axis=1) * np.repeat(factor, fit.channels)[:, None]
+        self._basis, self._weights = _few(columns)
         # Always as many texels to a product, so that the library sums in one order whatever else is in a call.
         self._together = 8
-        while self._together < 256 and 2 * self._together * self._columns.size <= PRODUCT:
+        while self._together < 256 and 2 * self._together * self._basis.size <= PRODUCT:
             self._together *= 2
 
-    def points(self, data: Singles) -> Floats:
-        """For each texel (M, D, C), all of whose samples are numbers, the best start (M, P), with what is free moved to where it is best."""
+    def points(self, data: Singles) -> tuple[Floats, NDArray[np.bool_]]:
+        """For each texel (M, D, C) the best start (M, P), with what is free moved to where it is best.
+
+        And which texels miss a sample (M,): for these it means nothing.
+        """
         count = len(data)
-        best = np.empty((count, len(self.low)))
+        best, missing = np.empty((count, len(self.low))), np.empty(count, bool)
         rows = data.reshape(count, data.shape[1] * data.shape[2])
 
         def work(task: int, room: Any) -> None:
             first, last = task * TASK, min(count, (task + 1) * TASK)
-            best[first:last] = self._best(rows[first:last])
+            with np.errstate(invalid="ignore", over="ignore"):
+                best[first:last], missing[first:last] = self._best(rows[first:last])
 
         workers.spread(-(-count // TASK), work, lambda: None)
-        return best
+        return best, missing
 
-    def _best(self, rows: Singles) -> Floats:
-        count = len(rows)
-        padded = np.zeros((-(-count // self._together), self._together, rows.shape[1]), np.float32)
-        padded.reshape(-1, rows.shape[1])[:count] = rows
-        sums = np.ascontiguousarray((padded @ self._columns).reshape(-1, self._columns.shape[1])[:count].T)
-        r = len(self.free)
-        which, least = np.zeros(count, np.intp), np.full(count, np.inf)
-        values = np.zeros((r, count))
-        for k, start in enumerate(self._known):
-            own = sums[k * (2 * r + 1) :]
-            onto, wanted = own[:r] - start.shift[:, None], own[r : 2 * r] - start.solved[:, None]
-            left = start.rest - 2 * own[2 * r] - _dot(onto, wanted)
-            free = np.clip(wanted, self.low[self.free, None], self.high[self.free, None])
-            out = np.flatnonzero((free != wanted).any(axis=0))
-            if len(out):
-                within, more = self._within(start, free[:, out], onto[:, out])
-                free[:, out] = within
-                left[out] = start.rest - 2 * own[2 * r, out] + more
-            better = left < least
-            which[better] = k
-            least = np.where(better, left, least)
-            values = np.where(better, free, values)
+    def _best(self, rows: Singles) -> tuple[Floats, NDArray[np.bool_]]:
+        sums, missing = self._sums(rows)
+        k, r, count = len(self.starts), len(self.free), len(rows)
+        onto = sums[: k * r].reshape(k, r, count) - self._shift
+        wanted = sums[k * r : 2 * k * r].reshape(k, r, count) - self._solved
+        left = self._alone[:, None] - 2 * sums[2 * k * r :]
+        free = np.minimum(np.maximum(wanted, self._floor), self._ceiling)
+        gain = _dot(onto.swapaxes(0, 1), wanted.swapaxes(0, 1))
+        start, texel = np.nonzero((free != wanted).any(axis=1))
+        if len(start):
+            grams = self._grams[start].transpose(1, 2, 0)
+            within, more = self._within(grams, free[start, :, texel].T, onto[start, :, texel].T)
+            free[start, :, texel], gain[start, texel] = within.T, -more
+        which = (left - gain).argmin(axis=0)
         best: Floats = self.starts[which]
-        best[:, self.free] = values.T
-        return best
+        best[:, self.free] = free[which, :, np.arange(count)]
+        return best, missing
 
-    def _within(self, start: _Start, free: Floats, onto: Floats) -> tuple[Floats, Floats]:
+    def _sums(self, rows: Singles) -> tuple[Floats, NDArray[np.bool_]]:
+        """Sums of the data of texels (M, D C) times the columns: (columns, M); and which hold what is no number."""
+        count, width = rows.shape
+        whole = count // self._together * self._together
+        sums = np.empty((-(-count // self._together), self._together, self._basis.shape[1]), np.float32)
+        np.matmul(rows[:whole].reshape(-1, self._together, width), self._basis, out=sums[: whole // self._together])
+        if whole < count:
+            last = np.zeros((self._together, width), np.float32)
+            last[: count - whole] = rows[whole:]
+            sums[-1] = last @ self._basis
+        missing = ~np.isfinite(sums.sum(axis=2)).ravel()[:count]
+        turned = self._weights @ sums.transpose(0, 2, 1).astype(float)
+        return np.ascontiguousarray(turned.transpose(1, 0, 2).reshape(len(self._weights), -1)[:, :count]), missing
+
+    def _within(self, grams: Floats, free: Floats, onto: Floats) -> tuple[Floats, Floats]:
         """The free columns (r, M) that leave least within their bounds, and what they add to what is left: where one stops, the others make up for it."""
-        low, high = self.low[self.free], self.high[self.free]
         for _ in range(ROUNDS):
-            for j, row in enumerate(start.gram):
+            for j, row in enumerate(grams):
                 push = onto[j] - _dot(row, free)
-                free[j] = np.clip(free[j] + push / max(row[j], 1e-300), low[j], high[j])
-        return free, sum(free[j] * (_dot(row, free) - 2 * onto[j]) for j, row in enumerate(start.gram))
+                free[j] = np.clip(free[j] + push / np.maximum(row[j], 1e-300), self._floor[j], self._ceiling[j])
+        return free, sum(free[j] * (_dot(row, free) - 2 * onto[j]) for j, row in enumerate(grams))
+
+
+def _few(columns: Floats) -> tuple[Singles, Floats]:
+    """Columns (N, n) as the product of few orthogonal ones (N, m), float32, and their weights (n, m).
+
+    Starts share most of what their columns are made of: the functions that linear parameters weigh, in which each channel is a part of its own.
+    """
+    size = np.maximum(np.linalg.norm(columns, axis=0), 1e-300)
+    basis, strength, weights = np.linalg.svd(columns / size, full_matrices=False)
+    kept = strength > LEFT_OUT * strength[0]
+    return np.ascontiguousarray(basis[:, kept], np.float32), np.ascontiguousarray(
+        (strength[kept, None] * weights[kept] * size).T
+    )
 
 
 def _dot(row: Floats, columns: Floats) -> Floats:
-    """The products (M,) of a row (r,), or of columns (r, M), and columns (r, M); each column for itself, in one order."""
+    """The products (..., M) of a row (r,), or of columns (r, ..., M), and columns (r, ..., M); each column for itself, in one order."""
     total: Floats = row[0] * columns[0]
     for k in range(1, len(row)):
         total = total + row[k] * columns[k]

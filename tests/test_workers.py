@@ -1,0 +1,45 @@
+"""Threads that share work: all tasks are done, once; a task that spreads work itself does it alone, instead of waiting for threads that wait for it."""
+
+from __future__ import annotations
+
+import threading
+
+import pytest
+
+from motes import workers
+
+
+def test_tasks_that_spread_work_themselves_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NUMBA_NUM_THREADS", "3")
+    done: list[tuple[int, int]] = []
+    inner: dict[int, set[int]] = {}
+
+    def outer(task: int, _: None) -> None:
+        def each(k: int, _: None) -> None:
+            inner.setdefault(task, set()).add(threading.get_ident())
+            done.append((task, k))
+
+        assert workers.at_work()
+        workers.spread(5, each, lambda: None)
+        assert workers.at_work()
+
+    whole = threading.Thread(target=lambda: workers.spread(7, outer, lambda: None), daemon=True)
+    whole.start()
+    whole.join(30)
+    assert not whole.is_alive()
+    assert sorted(done) == [(task, k) for task in range(7) for k in range(5)]
+    assert all(len(threads) == 1 for threads in inner.values())
+    assert not workers.at_work()
+
+
+def test_after_an_error_threads_share_work_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NUMBA_NUM_THREADS", "2")
+
+    def fails(task: int, _: None) -> None:
+        raise ValueError("no")
+
+    with pytest.raises(ValueError, match="no"):
+        workers.spread(3, fails, lambda: None)
+    assert not workers.at_work()
+    both = threading.Barrier(2, timeout=30)  # passed by two threads at once, or never
+    workers.spread(2, lambda task, _: both.wait() and None, lambda: None)
