@@ -129,3 +129,22 @@ def test_pieces_that_threads_take_give_the_bits_of_one_call(monkeypatch: pytest.
     apart = solver.fit(values, own, own_starts=True)
     monkeypatch.undo()
     np.testing.assert_array_equal(apart.x, solver.fit(values, own, own_starts=True).x)
+
+
+def test_other_valleys_are_found_from_starts_that_do_not_know_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Beside a map's starts, here one of its six twice, texels with outliers begin where bands of widths suit them best."""
+    solver, starts = _solver()
+    values, best = _texels()[1], np.full(COUNT, np.inf)
+    rng, (low, high) = np.random.default_rng(12), solver.bounds
+    for _ in range(30):
+        own = rng.uniform([0.05, 0.05, 0.05, 0, 0.02, 0.02], [1, 1, 1, 1.2, 1.5, 0.8], (COUNT, 6))
+        fit = solver.fit(values, np.clip(own, low, high), own_starts=True)
+        best = np.fmin(best, fit.relative_rms.astype(float) ** 2)
+
+    def missed() -> int:
+        return int(np.sum(solver.fit(values, starts[[0, 0]]).relative_rms.astype(float) ** 2 > 1.001 * best))
+
+    found = missed()
+    monkeypatch.setitem(vars(solver), "_bands", ())
+    assert missed() >= 10
+    assert found == 0

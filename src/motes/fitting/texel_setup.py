@@ -119,7 +119,7 @@ class TexelSetup:
             return self
         other = copy.copy(self)
         other.unit, other.loss = unit, self.loss.of_unit(unit)
-        for name in ("facts", "_kernels", "_recorded"):  # what was made for this unit
+        for name in ("facts", "_kernels", "_recorded", "_compared", "_bands"):  # what was made for this unit
             other.__dict__.pop(name, None)
         return other
 

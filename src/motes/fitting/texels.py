@@ -7,9 +7,8 @@ thousand times slower.
 
 from __future__ import annotations
 
-from enum import IntEnum
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,10 +21,11 @@ from motes.fitting.metrics import deviation
 from motes.fitting.printed.driver import NO_VERDICT
 from motes.fitting.printed.module import MOST_COEFFICIENTS
 from motes.fitting.second_look import REFIT_ITERATIONS, REFIT_REDUCTION, Rows, Solved, look_again
+from motes.fitting.texel_fit import TexelFit, TexelStatus, joined, own_covariance
 from motes.fitting.texel_forms import Forms
 from motes.fitting.texel_kernel import Kernel, Raw, Recorded, Singles
 from motes.fitting.texel_setup import Column, TexelSetup
-from motes.fitting.texels_nearest import Nearest
+from motes.fitting.texels_nearest import Nearest, bands
 from motes.fitting.texels_slow import fit_slowly
 from motes.fitting.texels_starts import representative_starts
 from motes.kernels import engine
@@ -38,41 +38,6 @@ MOST_TOGETHER, LEAST_TOGETHER = 16384, 2048
 # Outliers pull a fit into another valley.  A texel whose residuals are more than this share of its data, and whose fourth moment is so many times the
 # square of the second (3 for noise of one size, up to 12 for noise that goes with the value), is tried from all starts.
 MISFIT, TAILS = 0.05, 12.0
-
-
-class TexelStatus(IntEnum):
-    """How a texel's fit ended."""
-
-    CONVERGED = 0
-    MAX_ITERATIONS = 1
-    NO_DATA = 2
-    FAILED = 3
-
-
-class TexelFit(NamedTuple):
-    """Results by texel.
-
-    Attributes
-    ----------
-    x, stderr
-        Parameters and their standard errors (M, P), float32; NaN where there is no fit, or no error (at a bound, or not seen by the data).
-    relative_rms
-        Of the weighted residuals over that of the data (M,), float32.
-    status, iterations
-        (M,), uint8; see `TexelStatus`.
-    verdicts
-        What the data say about each parameter (M, P), uint8: positions in `motes.fitting.covariance.VERDICTS`; `NO_VERDICT` where there is no fit.
-    covariance
-        Packed lower triangles (M, P(P+1)/2), float32, NaN rows where there is no error; None where it was not asked for.
-    """
-
-    x: Singles
-    stderr: Singles
-    relative_rms: Singles
-    status: NDArray[np.uint8]
-    iterations: NDArray[np.uint8]
-    verdicts: NDArray[np.uint8]
-    covariance: Singles | None = None
 
 
 class TexelSolver(TexelSetup):
@@ -154,7 +119,7 @@ class TexelSolver(TexelSetup):
                     "Hold parameters, choose simpler trends, or leave it out",
                 )
             return self.finished(fit_slowly(self, data, points, own_starts))
-        if not own_starts and len(points) > 1 and not self.parts and self.loss.is_linear:
+        if not own_starts and len(points) > 1 and self._one_product:
             self._nearest(points)
         step = min(MOST_TOGETHER, max(LEAST_TOGETHER, -(-len(data) // (2 * workers.threads()))))
         pieces = [slice(k, min(len(data), k + step)) for k in range(0, max(1, len(data)), step)]
@@ -166,7 +131,7 @@ class TexelSolver(TexelSetup):
 
         work(0, None)  # alone: it compiles
         workers.spread(len(pieces) - 1, lambda k, _: work(k + 1, _), lambda: None)
-        return _joined([part for part in found if part is not None])
+        return joined([part for part in found if part is not None])
 
     def _fitted(self, data: Singles, points: Floats, own_starts: bool, covariance: bool) -> TexelFit:
         """The fits of some texels from points in the coordinates of the fit."""
@@ -235,7 +200,7 @@ class TexelSolver(TexelSetup):
         """For every texel the start from which the parameters that are not `_curved` alone get closest to the data."""
         if len(starts) == 1:
             return np.repeat(starts, len(data), axis=0)
-        if self.parts or not self.loss.is_linear:
+        if not self._one_product:
             return self._best_tried(kernel, data, starts)
         best, missing = self._nearest(starts).points(data)
         if missing.any():
@@ -268,7 +233,7 @@ class TexelSolver(TexelSetup):
     def _tried_elsewhere(
         self, kernel: Kernel | Forms, data: Singles, starts: Floats, raw: Raw, *, outliers: bool
     ) -> None:
-        """Fit texels that ended at a bound of a curved column, or with `outliers`, from all starts, and keep what is best.
+        """Fit texels that ended at a bound of a curved column, or with `outliers`, again: from all starts, with `outliers` from the best of `bands` too.
 
         A highlight of the least width allowed is mostly a false minimum: a spike at one sample.
         """
@@ -277,15 +242,37 @@ class TexelSolver(TexelSetup):
             margin = 1e-6 * (1 + np.abs(raw.points))
             stuck = (raw.points <= low + margin) | (raw.points >= high - margin)
         doubtful = (stuck & self._curved()).any(axis=1)
-        rows = np.flatnonzero(doubtful | _with_outliers(raw) if outliers else doubtful)
+        far = _with_outliers(raw) if outliers else np.zeros(len(data), bool)
+        rows, far = np.flatnonzero(doubtful | far), np.flatnonzero(far)
         if not len(rows):
             return
-        part, covariance = data[rows], raw.covariances.shape[1] > 0
-        for start in starts:
-            again = kernel.fit(part, np.repeat(start[None], len(rows), axis=0), covariance=covariance)
-            squares = raw.state("squares")[rows]
-            better = np.flatnonzero(again.state("squares") < squares * (1 - 1e-6))
+        covariance = raw.covariances.shape[1] > 0
+
+        def tried(rows: Rows, part: Singles, points: Floats) -> None:
+            again = kernel.fit(part, points, covariance=covariance)
+            better = np.flatnonzero(again.state("squares") < raw.state("squares")[rows] * (1 - 1e-6))
             raw.replace(rows[better], again.rows(better))
+
+        part = data[rows]
+        for start in starts:
+            tried(rows, part, np.repeat(start[None], len(rows), axis=0))
+        if len(far) and self._one_product:
+            part = data[far]
+            for band in self._bands:
+                points, missing = band.points(part)
+                points[missing] = starts[0]
+                tried(far, part, points)
+
+    @property
+    def _one_product(self) -> bool:
+        """Whether `Nearest` can tell which start suits a texel."""
+        return not self.parts and self.loss.is_linear
+
+    @cached_property
+    def _bands(self) -> tuple[Nearest, ...]:
+        """Where texels with outliers are tried besides; the starts of a map are those of texels without, and few."""
+        held = self._curved()
+        return tuple(Nearest(self, points, held) for points in bands(self, held))
 
     def _curved(self) -> NDArray[np.bool_]:
         """The columns along which an objective has several valleys: those that `_best_start` holds."""
@@ -338,7 +325,7 @@ class TexelSolver(TexelSetup):
             rms = np.sqrt(raw.state("squares") / brightness).astype(np.float32)
         rms[np.isnan(raw.values[:, 0])] = np.nan
         iterations = np.minimum(raw.state("iterations"), 255).astype(np.uint8)
-        whole = _own_covariance(raw.covariances, raw.errors) if raw.covariances.shape[1] else None
+        whole = own_covariance(raw.covariances, raw.errors) if raw.covariances.shape[1] else None
         return TexelFit(raw.values, raw.errors, rms, status, iterations, raw.codes, whole)
 
     def kernel(self, form: str, robust: Robust = ROBUST["none"]) -> Kernel | Forms:
@@ -372,30 +359,12 @@ class TexelSolver(TexelSetup):
         return representative_starts(solver, data, lambda rows, starts: solver.fit(data[rows], starts).x)
 
 
-def _joined(parts: list[TexelFit]) -> TexelFit:
-    """The fits of several calls as those of one."""
-    if len(parts) == 1:
-        return parts[0]
-    columns: list[Any] = [None if column[0] is None else np.concatenate(column) for column in zip(*parts, strict=True)]
-    return TexelFit(*columns)
-
-
 def _with_outliers(raw: Raw) -> NDArray[np.bool_]:
     """Which texels have residuals that are large, and some of them much larger than the others (M,)."""
     squares = raw.state("squares")
     with np.errstate(invalid="ignore"):
         heavy = raw.state("fourth") * raw.state("samples") > TAILS * squares * squares
         return np.asarray(heavy & (squares > MISFIT * MISFIT * raw.state("brightness")))
-
-
-def _own_covariance(packed: Singles, stderr: Singles) -> Singles:
-    """Of the parameters themselves, with their standard errors; NaN for what has none."""
-    size = stderr.shape[1]
-    rows, columns = np.tril_indices(size)
-    diagonal = packed[:, rows == columns]
-    with np.errstate(all="ignore"):
-        factor = stderr / np.sqrt(diagonal)
-        return (packed * factor[:, rows] * factor[:, columns]).astype(np.float32)
 
 
 __all__ = ["NO_VERDICT", "Column", "Raw", "TexelFit", "TexelSolver", "TexelStatus"]

@@ -7,6 +7,8 @@ matrices.  A kernel that goes over the data for each start takes three to five t
 
 from __future__ import annotations
 
+import itertools
+import math
 from typing import Any
 
 import numpy as np
@@ -24,6 +26,8 @@ PRODUCT = 1 << 18
 TASK = 2048
 # What is left out of columns, as a share of the strongest direction among them; sums in float32 are rounded by as much.
 LEFT_OUT = 1e-7
+# Bands, and the most starts in all of them.
+BANDS, MOST_IN_BANDS = 3, 64
 # Rounds over the columns of a fit that would leave its bounds.
 ROUNDS = 3
 
@@ -134,6 +138,27 @@ class Nearest:
                 push = onto[j] - _dot(row, free)
                 free[j] = np.clip(free[j] + push / np.maximum(row[j], 1e-300), self._floor[j], self._ceiling[j])
         return free, sum(free[j] * (_dot(row, free) - 2 * onto[j]) for j, row in enumerate(grams))
+
+
+def bands(fit: TexelSetup, held: NDArray[np.bool_]) -> list[Floats]:
+    """Starts (K, P) from all over the columns that are held, in bands of the parameter with the most places to start from.
+
+    The best of each band is where another valley of a texel may begin.  Columns of one parameter start alike.
+    """
+    given = {c.quantity: c.parameter.starts for k, c in enumerate(fit.columns) if held[k] and c.parameter.starts}
+    if not given:
+        return []
+    widest = max(given, key=lambda name: len(given[name]))
+    if math.prod(map(len, given.values())) > MOST_IN_BANDS:
+        given = {name: all if name == widest else all[len(all) // 2 :][:1] for name, all in given.items()}
+    found = []
+    for band in np.array_split(np.sort(given[widest]), min(BANDS, len(given[widest]))):
+        rows = list(itertools.product(*(band if name == widest else all for name, all in given.items())))
+        points = np.repeat(fit.values(fit.facts.rest[:, 0])[None], len(rows), axis=0)
+        for name, column in zip(given, np.array(rows).T, strict=True):
+            points[:, [k for k, c in enumerate(fit.columns) if c.quantity == name]] = column[:, None]
+        found.append(np.clip(fit.coordinates(points), fit.facts.low[:, 0], fit.facts.high[:, 0]))
+    return found
 
 
 def _few(columns: Floats) -> tuple[Singles, Floats]:
