@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
+from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,6 +13,7 @@ import numpy as np
 from motes.errors import MotesError
 from motes.fitting.result import Trial
 from motes.models import parse
+from motes.models.expressions import Parsed
 
 
 class Candidate(NamedTuple):
@@ -96,6 +98,16 @@ def summed(by_part: Sequence[Sequence[Trial]], chosen: tuple[str, tuple[str, ...
     )
 
 
+@cache
+def _once(text: str) -> Parsed:
+    return parse(text)
+
+
+def parsed(text: str) -> Parsed:
+    """As `parse`; once alone for each of the `CANDIDATES`, which are our own and stay what they are."""
+    return _once(text) if text in CANDIDATES else parse(text)
+
+
 def check_names(names: Collection[str] | Mapping[str, Any], candidates: Sequence[str] = CANDIDATES) -> None:
     """That each is a parameter of one of the candidates at least.
 
@@ -104,7 +116,9 @@ def check_names(names: Collection[str] | Mapping[str, Any], candidates: Sequence
     MotesError
         Which is not.
     """
-    known = {slot.name: None for text in candidates for slot in parse(text).model.slots()}
+    if not names:
+        return
+    known = {slot.name: None for text in candidates for slot in parsed(text).model.slots()}
     for name in names:
         if name not in known:
             raise MotesError(f"no model that auto tries has a parameter {name!r}", f"They have {', '.join(known)}")

@@ -9,15 +9,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes.errors import DataError
-from motes.fitting.choice import LADDER, check_names
+from motes.fitting.choice import LADDER, check_names, parsed
 from motes.fitting.direction_blocks import Labels, blocks_of
 from motes.fitting.judgement import FEWEST_BLOCKS, FOLLOWS, Contender, clearly_better
 from motes.fitting.ladder import Rung, rung_of, under_robust
 from motes.fitting.losses import LOSSES
+from motes.fitting.nested import simplest_first
 from motes.fitting.problem import even_channels
 from motes.fitting.setup import Wishes, prepare, sample_weights
 from motes.measurements import Measurement
-from motes.models import describe, parse
+from motes.models import describe
 from motes.models.composition import layer_of
 from motes.parameters import Role
 
@@ -104,14 +105,15 @@ class _Ladder:
         self._blocks: Labels | None = None
 
     def named(self, models: Sequence[str]) -> None:
-        """Those that were asked for."""
-        for text in models:
+        """Those that were asked for, in this order; fitted the simplest first, which richer ones start from."""
+        for text in simplest_first(models):
             self._try(text)
+        self.rungs.sort(key=lambda rung: models.index(rung.text))
 
     def clean(self) -> None:
         """Those without a layer."""
         for candidate in LADDER:
-            if layer_of(parse(candidate.text).model) is None:
+            if layer_of(parsed(candidate.text).model) is None:
                 self._try(candidate.text)
 
     def highlights_per_channel(self) -> None:
@@ -142,7 +144,7 @@ class _Ladder:
             return near and (rung.objective < WORTH_TRYING * least[0] or left < WORTH_TRYING * least[1])
 
         for candidate in LADDER:
-            model = parse(candidate.text).model
+            model = parsed(candidate.text).model
             layer = layer_of(model)
             if layer is None:
                 continue
@@ -152,18 +154,20 @@ class _Ladder:
                 if not any(worthwhile(rung) for rung in once):
                     continue
             names = tuple(slot.name for slot in model.slots(Role.HIGHLIGHT_STRENGTH)) if best.per_channel else ()
-            self._try(candidate.text, names, near)
+            self._try(candidate.text, names, near, candidate.slow)
 
-    def _try(self, text: str, per_channel: tuple[str, ...] = (), near: Rung | None = None) -> Rung | None:
+    def _try(
+        self, text: str, per_channel: tuple[str, ...] = (), near: Rung | None = None, slow: bool = False
+    ) -> Rung | None:
         """A candidate as a new rung; None where it has too many parameters for the data, or none that is free."""
         wishes = self.wishes
-        parsed = parse(text)
-        if not set(parsed.model.parameters) - set(wishes.fixed) - parsed.fixed:
+        read = parsed(text)
+        if not set(read.model.parameters) - set(wishes.fixed) - read.fixed:
             return None
         self.say(text)
         own = replace(wishes, per_channel=(*wishes.per_channel, *per_channel))
         try:
-            brdf, _, problem, _ = prepare(self.data, text, own, lenient=True)
+            brdf, _, problem, _ = prepare(self.data, read, own, lenient=True)
             if self.channels is not None:
                 problem = problem.some_channels(self.channels)
             if self._blocks is None:
@@ -171,7 +175,7 @@ class _Ladder:
                 if self._blocks.max() + 1 < FEWEST_BLOCKS:
                     self._blocks = np.zeros_like(self._blocks)
             problem = under_robust(problem, wishes.robust, self.plain) if self.plain else problem
-            found = rung_of(text, brdf, problem, self.rungs, self._blocks, per_channel, near)
+            found = rung_of(text, brdf, problem, self.rungs, self._blocks, per_channel, near, slow)
         except DataError as error:
             self.too_few = self.too_few or error
             return None

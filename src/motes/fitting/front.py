@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -15,6 +15,7 @@ from motes.errors import DataError, MotesError
 from motes.fitting import scaled
 from motes.fitting.error_bars import ERRORS
 from motes.fitting.losses import loss_named, robust_named
+from motes.fitting.nested import Found
 from motes.fitting.origin_of_fit import origin_of
 from motes.fitting.over_time import fit_over_time
 from motes.fitting.result import Fit, Progress
@@ -98,6 +99,35 @@ def fit(
     ParameterError
         When the model or a name in it is not known.
     """
+    given = {
+        "loss": loss,
+        "robust": robust,
+        "weights": weights,
+        "fixed": fixed,
+        "per_channel": per_channel,
+        "max_theta": max_theta,
+        "scale": scale,
+        "time": time,
+        "trends": trends,
+        "errors": errors,
+    }
+    return fit_beside(data, model, given, (), progress)
+
+
+def fit_beside(
+    data: Measurement,
+    model: str | BRDF,
+    given: Mapping[str, Any],
+    below: Sequence[Found],
+    progress: Progress | None = None,
+) -> Fit | TimeFit:
+    """`fit` with its arguments by name, and what fits of other models to the same samples of one time found; see `motes.fitting.nested`."""
+    loss, robust, weights, fixed, per_channel = (
+        given[name] for name in ("loss", "robust", "weights", "fixed", "per_channel")
+    )
+    max_theta, scale, time, trends, errors = (
+        given[name] for name in ("max_theta", "scale", "time", "trends", "errors")
+    )
     if not isinstance(data, Measurement):
         raise DataError(
             f"a {type(data).__name__} cannot be fitted: it is not a Measurement",
@@ -108,22 +138,7 @@ def fit(
             f"time {time} is outside 0..{data.n_times - 1}: the measurement has {data.n_times} time(s)",
             "Choose one with --time, or time= in Python",
         )
-    origin = origin_of(
-        data,
-        {
-            "model": model,
-            "loss": loss,
-            "robust": robust,
-            "weights": weights,
-            "fixed": fixed,
-            "per_channel": per_channel,
-            "max_theta": max_theta,
-            "scale": scale,
-            "time": time,
-            "trends": trends,
-            "errors": errors,
-        },
-    )
+    origin = origin_of(data, {"model": model, **given})
     if time is not None and data.n_times > 1:
         data = data.at(time)
     if max_theta is not None:
@@ -148,7 +163,7 @@ def fit(
     if not isinstance(errors, str) or errors not in ERRORS:
         raise MotesError(f"errors {errors!r} is not one of {', '.join(ERRORS)}", "Leave it out for 'auto'")
     wishes = Wishes(loss, robust, weights, fixed, per_channel, errors=errors)
-    result = _fitted(data, model, wishes, trends, scale == scaled.FREE, progress)
+    result = _fitted(data, model, wishes, trends, scale == scaled.FREE, below, progress)
     return replace(result, origin=origin)
 
 
@@ -158,6 +173,7 @@ def _fitted(
     wishes: Wishes,
     trends: str | Mapping[str, str],
     free_scale: bool,
+    below: Sequence[Found],
     progress: Progress | None,
 ) -> Fit | TimeFit:
     if free_scale:
@@ -168,4 +184,4 @@ def _fitted(
         data = scaled.of_scans(data, lambda scan: fit_scan(scan, model, replace(free, errors="auto")))
     if data.n_times > 1:
         return fit_over_time(data, model, wishes, trends, progress)
-    return fit_scan(data, model, wishes, progress)
+    return fit_scan(data, model, wishes, progress, below)

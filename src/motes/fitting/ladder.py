@@ -10,7 +10,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from motes.fitting.chord import Chord
 from motes.fitting.direction_blocks import Labels
 from motes.fitting.losses import ROBUST, Floats
 from motes.fitting.metrics import deviation, relative_rms
+from motes.fitting.nested import Found, carried, nearer
 from motes.fitting.problem import Problem
 from motes.fitting.quantities import Quantity
 from motes.fitting.result import Trial
@@ -40,8 +41,9 @@ LENDERS, KEPT = 4, 2
 ROUGH_STEPS, ROUGH_REDUCTION, STEPS, REDUCTION = 4, 1e-3, 25, 1e-4
 # Fits to parts take so many steps with the derivatives of where they are, and then again.
 FOLD_ROUNDS, FOLD_STEPS, FOLD_REDUCTION = 2, 3, 1e-4
-# Starts are thinned out on a part of so many samples.
+# Starts are thinned out on a part of so many samples; those of a slow candidate on every second direction at least, and so many go on.
 ROUGH_SAMPLES = 1500
+SLOW_STEP, SLOW_KEPT = 2, 5
 
 
 @dataclass(frozen=True)
@@ -72,6 +74,10 @@ class Rung:
     def layered(self) -> bool:
         """Whether it is a layer over something."""
         return layer_of(self.brdf) is not None
+
+    @property
+    def found(self) -> Found:
+        return Found(self.problem.quantities, self.x)
 
     @property
     def bic(self) -> float:
@@ -108,6 +114,7 @@ def rung_of(
     blocks: Labels,
     per_channel: tuple[str, ...] = (),
     near: Rung | None = None,
+    slow: bool = False,
 ) -> Rung:
     """A candidate, fitted to a problem from what `below` found, and to parts of it.
 
@@ -117,6 +124,8 @@ def rung_of(
         Which block each of the problem's pairs of directions is in (N,).
     near
         The same candidate, fitted to data that are much like these: a search for where to start is spared.
+    slow
+        Whether its values take so long that fewer starts are looked at, and less closely.
 
     Raises
     ------
@@ -129,8 +138,11 @@ def rung_of(
     if near is None:
         lanes = _lanes(problem, below, layer_of(brdf) is not None)
     else:
-        lanes = np.unique(np.stack([_carried(problem, rung) for rung in (near, *_lenders(below))]), axis=0)
-    x, objective, status = _fitted(problem, lanes)
+        lanes = np.unique(np.stack([carried(problem, rung.found) for rung in (near, *_lenders(below))]), axis=0)
+    x, objective, status = _fitted(problem, lanes, slow)
+    simpler = nearer(problem, [rung.found for rung in below if rung.objective < objective], objective)
+    if simpler is not None:
+        x, objective, status = _fitted(problem, simpler[None], slow)
     return Rung(text, brdf, problem, x, objective, status, _left_out(problem, x, blocks, folds), per_channel)
 
 
@@ -152,7 +164,7 @@ def _lanes(problem: Problem, below: Sequence[Rung], layered: bool) -> Floats:
         return starting_points(problem, None, most=KEPT)
     names = {q.name for q in problem.quantities}
     lenders = _lenders(below)
-    lanes = [_carried(problem, rung) for rung in lenders]
+    lanes = [carried(problem, rung.found) for rung in lenders]
     # A layer is laid on what lies below it, in several thicknesses.
     parents = [rung for rung in below if not (layered and rung.layered)] or list(below)
     parent = max(parents, key=lambda rung: (len(names & {q.name for q in rung.problem.quantities}), -rung.objective))
@@ -165,7 +177,7 @@ def _lanes(problem: Problem, below: Sequence[Rung], layered: bool) -> Floats:
     # What lies below may look otherwise under the layer: a layer over the same tells, where there is one.
     alike = [rung for rung in lenders if layered and rung.layered][:1]
     for base, point in itertools.product((parent, *alike), itertools.product(*axes)):
-        lane = _carried(problem, base)
+        lane = carried(problem, base.found)
         for q, value in zip(new, point, strict=True):
             lane[q.where] = q.coordinate(np.array(value))
         lanes.append(lane)
@@ -177,30 +189,15 @@ def _lenders(below: Sequence[Rung]) -> list[Rung]:
     return sorted(below, key=lambda rung: rung.objective)[:LENDERS]
 
 
-def _carried(problem: Problem, rung: Rung) -> Floats:
-    """A parameter vector (P,) with what another candidate found of the parameters of each role, and defaults for the others."""
-    x = np.empty(problem.size)
-    for q in problem.quantities:
-        p = q.parameter
-        named = [s for s in rung.problem.quantities if s.name == q.name]
-        named = named or [s for s in rung.problem.quantities if s.parameter.role is p.role and p.role is not None]
-        if not named:
-            x[q.where] = problem.columns.rest[q.where, 0]
-            continue
-        value = rung.value(named[0])
-        if len(value) not in (1, q.where.stop - q.where.start):
-            value = np.array([value.mean()])
-        x[q.where] = q.coordinate(np.clip(value, *p.fit_bounds))
-    return x
-
-
 # ---------------------------------------------------------------- fits
 
 
-def _fitted(problem: Problem, lanes: Floats) -> tuple[Floats, float, Status]:
+def _fitted(problem: Problem, lanes: Floats, slow: bool = False) -> tuple[Floats, float, Status]:
     """The best end of fits that start at each of the lanes, thinned out by a few rough steps."""
     step = max(1, len(problem.wi) * problem.channels // ROUGH_SAMPLES)
-    kept = KEPT if step > 1 else max(KEPT, len(lanes) // 3)
+    kept = KEPT if step > 1 else SLOW_KEPT if slow else max(KEPT, len(lanes) // 3)
+    if slow and len(problem.wi) > SLOW_STEP * problem.size:
+        step = max(step, SLOW_STEP)
     if len(lanes) > kept:
         part = problem if step == 1 else problem.at_directions(np.arange(0, len(problem.wi), step))
         rough = part.solve(lanes, max_iterations=ROUGH_STEPS, reduction=ROUGH_REDUCTION)
@@ -225,9 +222,8 @@ def _left_out(problem: Problem, x: Floats, blocks: Labels, folds: list[Floats]) 
     count, turns = int(blocks.max()) + 1, len(folds)
     at = np.repeat(x[None], max(turns, 1), axis=0)
     if turns:
-        weights = np.stack(folds)
         held = unseen(problem, x)
-        parts = replace(problem, values=np.broadcast_to(problem.values, weights.shape), weights=weights)
+        parts = problem.weighing(np.stack(folds))
         for _ in range(FOLD_ROUNDS):
             at = minimize(
                 Chord(parts, at).normal,

@@ -21,9 +21,10 @@ from motes.files import write_json
 from motes.fitting.climbing import climb
 from motes.fitting.direction_blocks import coordinates
 from motes.fitting.formatting import finite
-from motes.fitting.front import fit
+from motes.fitting.front import fit_beside
 from motes.fitting.judgement import Contender, judged
 from motes.fitting.losses import Floats
+from motes.fitting.nested import Found, simplest_first
 from motes.fitting.result import Fit, Progress
 from motes.fitting.setup import Wishes
 from motes.fitting.shown import data_frame
@@ -172,25 +173,29 @@ def compare(
             f"the measurement has {data.n_times} times, and one is compared",
             "Choose one with --time, or time= in Python",
         )
-    steps, fits = 2 * len(texts), []
+    steps, fits = 2 * len(texts), dict[str, Fit]()
     say = progress or (lambda done, total, what: None)
-    for k, text in enumerate(texts):
+    given = {
+        "loss": loss,
+        "robust": robust,
+        "weights": weights,
+        "max_theta": max_theta,
+        "scale": 1.0,
+        "time": time,
+        "trends": "auto",
+        "errors": "auto",
+    }
+    for k, text in enumerate(simplest_first(texts)):
         say(k, steps, text)
         names = parse(text).model.parameters
-        fits.append(
-            fit(
-                data,
-                text,
-                loss=loss,
-                robust=robust,
-                weights=weights,
-                fixed={name: value for name, value in (fixed or {}).items() if name in names},
-                per_channel=[name for name in per_channel if name in names],
-                max_theta=max_theta,
-                time=time,
-            )
-        )
-    found = [one for one in fits if isinstance(one, Fit)]
+        own = {
+            "fixed": {name: value for name, value in (fixed or {}).items() if name in names},
+            "per_channel": [name for name in per_channel if name in names],
+        }
+        one = fit_beside(data, text, given | own, [Found.of(other.brdf) for other in fits.values()])
+        assert isinstance(one, Fit)
+        fits[text] = one
+    found = [fits[text] for text in texts]
     counted = iter(range(len(texts), steps))
     wishes = Wishes(loss, robust, weights, fixed or {}, per_channel)
     rungs = climb(found[0].measurement, wishes, lambda text: say(next(counted, steps), steps, text), models=texts)

@@ -165,6 +165,10 @@ class Problem(Objective):
     def counting(self, times: Floats) -> Self:
         return self._with(weights=self.weights * times[:, None], _roots=self._roots * np.sqrt(times))
 
+    def weighing(self, weights: Floats) -> Self:
+        """The same data with other weights (N, C), or with several, (T, N, C)."""
+        return self._with(weights=weights, _roots=np.sqrt(_directions_last(weights)))
+
     def some_channels(self, channels: NDArray[np.intp]) -> Self:
         """The problem at some of the channels."""
         quantities, start = [], 0

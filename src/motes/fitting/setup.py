@@ -19,6 +19,7 @@ from motes.fitting.scaled import Scaled, physical
 from motes.measurements import Measurement
 from motes.measurements.policy import LARGEST
 from motes.models import BRDF, describe, parse
+from motes.models.expressions import Parsed
 
 
 @dataclass(frozen=True)
@@ -58,18 +59,20 @@ class Setup(NamedTuple):
 
 
 def fitted_of(
-    model: str | BRDF,
+    model: str | BRDF | Parsed,
     channels: int,
     fixed: Collection[str] | Mapping[str, Any],
     per_channel: Collection[str],
     lenient: bool = False,
 ) -> Fitted:
     """What is fitted of a model; `lenient` lets names pass that it does not have (candidates of "auto")."""
-    if not isinstance(model, (str, BRDF)):
+    if not isinstance(model, (str, BRDF, Parsed)):
         raise DataError(
             f"a model of type {type(model).__name__} cannot be fitted", "Give text such as 'oren_nayar', or a BRDF"
         )
-    brdf, held = (model, frozenset[str]()) if isinstance(model, BRDF) else parse(model)
+    brdf, held = (
+        (model, frozenset[str]()) if isinstance(model, BRDF) else parse(model) if isinstance(model, str) else model
+    )
     names = [slot.name for slot in brdf.slots()]
     for name in (*fixed, *per_channel):
         if name not in names and not lenient:
@@ -100,7 +103,7 @@ def check_enough(samples: int, parameters: int, model: BRDF, where: str = "") ->
         )
 
 
-def prepare(data: Measurement, model: str | BRDF, wishes: Wishes, lenient: bool = False) -> Setup:
+def prepare(data: Measurement, model: str | BRDF | Parsed, wishes: Wishes, lenient: bool = False) -> Setup:
     """The problem of fitting `model` to `data`: with values (N, C) for one time, (T, N, C) for several."""
     brdf, quantities, held = fitted_of(model, data.n_channels, wishes.fixed, wishes.per_channel, lenient)
     shape = brdf

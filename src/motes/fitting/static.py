@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import time as clock
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import Any
@@ -18,6 +19,7 @@ from motes.fitting.estimating import estimated
 from motes.fitting.judgement import Contender, judged
 from motes.fitting.losses import ROBUST, Floats
 from motes.fitting.metrics import chi_square, deviation, distances, relative_rms
+from motes.fitting.nested import Found, nearer
 from motes.fitting.plausibility import implausible_fit
 from motes.fitting.problem import Problem, even_channels
 from motes.fitting.result import Fit, FittedParameter, Progress, Trial
@@ -31,19 +33,27 @@ from motes.material import Material
 from motes.measurements import Measurement
 from motes.measurements.doubts import implausible
 from motes.models import BRDF, describe
+from motes.models.composition import layer_of
+from motes.models.expressions import Parsed
 
 #: With more than three times as many samples, starts are thinned out on a part of so many first.
 PART_SAMPLES = 200_000
 
 
-def fit_scan(data: Measurement, model: str | BRDF, wishes: Wishes, progress: Progress | None = None) -> Fit:
-    """Fit a measurement with one time."""
+def fit_scan(
+    data: Measurement,
+    model: str | BRDF,
+    wishes: Wishes,
+    progress: Progress | None = None,
+    below: Sequence[Found] = (),
+) -> Fit:
+    """Fit a measurement with one time; `below` is what fits of other models to it found, which a named model starts from where that is nearer."""
     started = clock.perf_counter()
     say = progress or (lambda done, total, what: None)
     if not is_auto(model):
         text = model if isinstance(model, str) else describe(model) if isinstance(model, BRDF) else ""
         say(0, 1, text)
-        attempt = _Attempt(data, model, wishes, False)
+        attempt = _Attempt(data, model, wishes, False, below=below)
         result = attempt.result((replace(attempt.trial(), chosen=True),), started, progress)
         say(1, 1, "done")
         return result
@@ -85,27 +95,40 @@ def _starts(problem: Problem, given: Floats | None) -> Floats:
 
 
 class _Attempt:
-    """A model, fitted; `near` is where a fit of the same model to the same data, or to a part of them, ended."""
+    """A model, fitted; `near` is where a fit of the same model to the same data, or to a part of them, ended; `below` as for `fit_scan`."""
 
     def __init__(
         self,
         data: Measurement,
-        model: str | BRDF,
+        model: str | BRDF | Parsed,
         wishes: Wishes,
         lenient: bool,
         near: Floats | None = None,
+        below: Sequence[Found] = (),
     ) -> None:
         self.data, self.wishes = data, wishes
         self.brdf, start, self.problem, self.factor = prepare(data, model, wishes, lenient)
         check_enough(self.problem.samples, self.problem.size, self.brdf)
         if near is not None and len(near) != self.problem.size:
             near = None  # of other channels
+        self.below = below if near is not None else (*below, *self._base())
         self.solution = self._solve(self._vector(start) if start else None, near)
         self.x = at_rest(self.problem, self.solution.x[self.solution.best()])
         self.objective = float(self.solution.normal.objective.min())
         bright = float(self.problem.brightness().sum())
         self.bic = bic(self.objective, self.problem.samples, self.problem.size, bright)
         self.predicted = self._predicted()
+
+    def _base(self) -> tuple[Found, ...]:
+        """What a fit of the base of a layer finds, where the layer may be absent."""
+        layer, free = layer_of(self.brdf), {q.name for q in self.problem.quantities}
+        if layer is None or layer.depth.name not in free:
+            return ()
+        names = frozenset(slot.name for slot in layer.base.slots())
+        if not names & free:
+            return ()
+        base = _Attempt(self.data, Parsed(layer.base, names - free), self.wishes, True)
+        return (Found(base.problem.quantities, base.x),)
 
     def _vector(self, start: BRDF) -> Floats | None:
         """The values of a BRDF as a parameter vector; None when their shapes do not fit the data."""
@@ -132,6 +155,9 @@ class _Attempt:
         else:
             starts = _starts(problem, given)
         solution = problem.solve(starts, reduction=reduction)
+        simpler = nearer(problem, self.below, float(solution.normal.objective.min()))
+        if simpler is not None:
+            solution = problem.solve(simpler[None], reduction=reduction)
         if self.wishes.robust != "none":
             residual = problem.residuals(solution.x[solution.best()])[problem.weights > 0]
             scale = float(deviation(residual, self.problem.unit))

@@ -77,6 +77,7 @@ class CoatedDiffuse(BRDF):
         doc="refractive index of the body relative to the outside",
         role=Role.REFRACTIVE_INDEX,
         advice="Water 1.33, glass and varnish 1.5, diamond 2.4",
+        simpler=1.0,
     )
 
     def _share(self, xp: Array, rho: Array) -> Array:

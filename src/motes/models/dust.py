@@ -194,6 +194,7 @@ class DustLayer(BRDF):
         symbol="\\tau",
         doc="optical thickness of the layer",
         role=Role.DEPTH,
+        simpler=0.0,
     )
     scattering: str = option("single", words=SCATTERING, doc="how often light is scattered in the layer")
 

@@ -84,6 +84,7 @@ class EON(BRDF):
         symbol="r",
         doc="roughness of the diffuse part; 0 is Lambert",
         role=Role.DIFFUSE_ROUGHNESS,
+        simpler=0.0,
     )
 
     def formula(self, xp: Array, geometry: Geometry) -> Array:

@@ -134,6 +134,7 @@ class Schlick(Fresnel):
         per_channel=True,
         shared_in_fit=True,
         role=Role.NORMAL_REFLECTANCE,
+        simpler=1.0,
     )
 
     def reflectance(self, xp: Array, cos_theta_d: Array) -> Array:

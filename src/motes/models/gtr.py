@@ -139,6 +139,7 @@ class GTR(Microfacet):
         symbol="\\gamma",
         doc="exponent of the tail of the highlight: 2 is GGX, 1 the longest",
         role=Role.HIGHLIGHT_TAIL,
+        simpler=2.0,
     )
     fresnel: Fresnel | None = fresnel_term()
 

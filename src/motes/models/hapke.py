@@ -58,6 +58,7 @@ class Hapke(BRDF):
         doc="single-scattering albedo of the particles",
         per_channel=True,
         role=Role.SINGLE_SCATTERING_ALBEDO,
+        simpler=0.0,
     )
     g: Array = parameter(
         -0.2,
@@ -78,6 +79,7 @@ class Hapke(BRDF):
         symbol="B_0",
         doc="height of the opposition surge, of what particles scatter back",
         role=Role.SURGE_STRENGTH,
+        simpler=0.0,
     )
     h: Array = parameter(
         0.06,

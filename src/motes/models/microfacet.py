@@ -47,6 +47,7 @@ class Microfacet(BRDF):
         per_channel=True,
         shared_in_fit=True,
         role=Role.HIGHLIGHT_STRENGTH,
+        simpler=0.0,
     )
     alpha: Array = parameter(
         0.2,

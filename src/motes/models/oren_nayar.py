@@ -64,6 +64,7 @@ class OrenNayar(BRDF):
         doc="standard deviation of the facets' slope angle",
         squared=True,
         role=Role.DIFFUSE_ROUGHNESS,
+        simpler=0.0,
     )
 
     def formula(self, xp: Array, geometry: Geometry) -> Array:

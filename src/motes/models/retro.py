@@ -73,6 +73,7 @@ class Retro(BRDF):
         per_channel=True,
         shared_in_fit=True,
         role=Role.FURTHER_STRENGTH,
+        simpler=0.0,
     )
     alpha_r: Array = parameter(
         0.3,

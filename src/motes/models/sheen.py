@@ -84,6 +84,7 @@ class Sheen(BRDF):
         doc="strength of the fibres; with 1 they return at most as much light as arrives",
         per_channel=True,
         role=Role.FURTHER_STRENGTH,
+        simpler=0.0,
     )
     a: Array = parameter(
         0.5,

@@ -57,6 +57,7 @@ class TorranceSparrow(BRDF):
         per_channel=True,
         shared_in_fit=True,
         role=Role.HIGHLIGHT_STRENGTH,
+        simpler=0.0,
     )
     sigma_s: Array = parameter(
         0.15,

@@ -86,6 +86,9 @@ class Parameter:
         True where a model depends on the square of the parameter alone: its slope at 0 is 0, and a fit moves in the square.
     role
         What it is to those who do not know the model, or None.
+    simpler
+        The value at which its model is a simpler one, or the part that it belongs to is not there: 0 of a strength or a depth, 2 of GTR's
+        gamma, at which it is GGX.  None where there is no such value.
     """
 
     name: str
@@ -103,6 +106,7 @@ class Parameter:
     advice: str
     squared: bool
     role: Role | None = None
+    simpler: float | None = None
 
     def check(self, owner: str, value: Array) -> Array:
         """`value` as a float or a read-only float array, within bounds; tensors and symbols pass as they are."""
@@ -238,6 +242,7 @@ def parameter(
     advice: str = "",
     squared: bool = False,
     role: Role | None = None,
+    simpler: float | None = None,
 ) -> Any:
     """Declare a parameter as a dataclass field; see `Parameter`."""
     declared = {
@@ -255,6 +260,7 @@ def parameter(
         "advice": advice,
         "squared": squared,
         "role": role,
+        "simpler": simpler,
     }
     return field(default=default, metadata={"parameter": declared})
 
