@@ -424,7 +424,7 @@ ENTRIES = (
         at_most=None,
     ),
     Entry("dust_layer", DustLayer(PLASTER + COAT, Dust((0.7, 0.6, 0.5), 0.3), tau=0.2), dust_layer, at_most=None),
-    Entry("dust_multiple", Dust((0.95, 0.8, 0.5), 0.4, scattering="multiple"), dust_multiple),
+    Entry("dust_multiple", Dust((0.95, 0.8, 0.5), 0.4, scattering="multiple"), dust_multiple, at_most=1.0002),
     Entry(
         "dust_layer_multiple",
         DustLayer(PLASTER, Dust((0.95, 0.8, 0.5), 0.5), tau=0.6, scattering="multiple"),

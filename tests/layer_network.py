@@ -15,7 +15,12 @@ NUMBERS = json.loads((Path(motes.__file__).parent / "models/data/multiple_scatte
 
 
 def stretched(mu: Floats) -> Floats:
-    return np.sqrt(6.8 * mu / (0.7 + mu)) - 1
+    return np.sqrt(6 * mu / (0.5 + mu)) - 1
+
+
+def columns(mu: Floats, tau: Floats) -> Floats:
+    """What the coefficients of E, t and the first order are multiplied by (..., 8): powers of v, and what comes straight through."""
+    return np.concatenate([np.vander(stretched(mu), 7, increasing=True), np.exp(-tau / mu)[:, None]], axis=1)
 
 
 def network(features: list[Floats], numbers: dict[str, list[list[float]]]) -> Floats:
@@ -28,7 +33,7 @@ def network(features: list[Floats], numbers: dict[str, list[list[float]]]) -> Fl
 
 
 def outputs(tau: Floats, w: Floats, g: Floats) -> tuple[Floats, Floats, Floats, Floats, Floats]:
-    """Coefficients of E, of t and of the first order (N, 7), c and d (N, 3)."""
+    """Coefficients of E, of t and of the first order (N, 8), c and d (N, 3)."""
     loss, opacity = 1 - w, 1 - w * g
 
     def tangent(k2: Floats) -> Floats:
@@ -49,9 +54,9 @@ def outputs(tau: Floats, w: Floats, g: Floats) -> tuple[Floats, Floats, Floats, 
     deep = w * (1 - k2q2) / (1 + k2q2 + 0.5 * np.sqrt(3) * opacity * q)
     thick = (tau * opacity / (1 + tau * opacity))[:, None]
     scattered = w[:, None]
-    e, t, n = (np.zeros((len(tau), 7)) for _ in range(3))
+    e, t, n = (np.zeros((len(tau), 8)) for _ in range(3))
     e[:, :6], t[:, :6], n[:, :4] = scattered**2 * thick * h[:, :6], deep[:, None] * h[:, 6:12], h[:, 12:16]
-    unity = np.eye(7)[0]
+    unity = np.eye(8)[0]
     unsaid = unity - s - e - t - loss[:, None] * (unity + scattered * lost[:, None] * n)
     return e + scattered * thick * unsaid, t + (1 - thick) * unsaid, s, h[:, 16:19], h[:, 19:22]
 
@@ -60,8 +65,7 @@ def functions(mu: Floats, tau: Floats, w: Floats, g: Floats, least: float = 0.0)
     """E and t."""
     e, t, _, _, _ = outputs(tau, w, g)
     hit = 1 - np.exp(-tau / mu)
-    powers = np.vander(stretched(mu), 7, increasing=True)
-    up, down = (np.maximum(np.sum(c * powers, -1), least) for c in (e, t))
+    up, down = (np.maximum(np.sum(c * columns(mu, tau), -1), least) for c in (e, t))
     return hit * up, 1 - hit + hit * down
 
 
@@ -77,7 +81,8 @@ def returned(tau: Floats, w: Floats, g: Floats) -> Floats:
     e, _, s, _, _ = outputs(tau, w, g)
     nodes, measure = rule()
     hit = np.stack([1 - np.exp(-tau / node) for node in nodes], -1)
-    up = (e + s) @ np.vander(stretched(nodes), 7, increasing=True).T * hit
+    shape = np.stack([columns(np.full_like(tau, node), tau) for node in nodes], 1)
+    up = np.einsum("nk,nmk->nm", e + s, shape) * hit
     back: Floats = np.clip(up @ measure, 0, w * (hit @ measure))
     return back
 
@@ -96,7 +101,7 @@ def brdf(theta_i: Floats, theta_r: Floats, dphi: Floats, tau: Floats, w: Floats,
     bracket = 1 + c[:, 0] * p_i[0] * p_r[0] + c[:, 1] * (p_i[0] * p_r[1] + p_i[1] * p_r[0]) + c[:, 2] * p_i[1] * p_r[1]
     bracket = np.maximum(bracket, 0.05)
     waves = np.sin(theta_i) * np.sin(theta_r) * (d[:, 0] + d[:, 1] * (v_i + v_r) + d[:, 2] * v_i * v_r)
-    rho = np.clip(waves / (1.15 * bracket), -0.95, 0.95)
+    rho = np.clip(waves / (1.15 * bracket), -0.76, 0.76)
     z = rho * np.exp(1j * (np.pi - dphi))  # the geometric series of the waves
-    higher = e_i * e_r / (np.pi * mean_e) * bracket * np.maximum(1 + 1.15 * 2 * (z / (1 - z)).real, 0)
+    higher = e_i * e_r / (np.pi * mean_e) * bracket * (1 + 1.15 * 2 * (z / (1 - z)).real)
     return higher + base * t_i * t_r / (np.pi * (1 - base * returned(tau, w, g)))

@@ -55,7 +55,7 @@ def test_two_layers_of_one_dust_are_one_thicker_layer(w: float, g: float) -> Non
     two, one = stacked(base, (0.1, w, g), (0.3, w, g)), stacked(base, (0.4, w, g))
     off = np.abs(two.eval(wi, wo) / one.eval(wi, wo) - 1)[steep]
     assert np.median(off) < 0.016
-    assert off.max() < 0.09
+    assert off.max() < 0.1
 
 
 def test_a_bed_without_an_end_is_a_base_like_an_infinite_layer() -> None:

@@ -67,8 +67,10 @@ def test_float32_against_the_reference(entry: Entry, source: str) -> None:
     allowed = 1e-5 * np.where(highlight & (t > 3), t * t / 9, 1.0)
     # Where a conductor reflects next to nothing (n + ik near 1, some rows) F is right to 2e-5 of all light, not of itself.
     floor = 2e-5 * 0.7 * rows["rho_s"] if entry.name == "torrance_sparrow_conductor" else 0.0
-    if "multiple" in entry.name:  # higher orders are sums of terms of both signs: right to three millionths of 1/sr
-        floor = 3e-6
+    if "multiple" in entry.name or "over_a_highlight" in entry.name:
+        # Higher orders are sums of terms of both signs, right to three millionths of 1/sr; and what is scattered again is what is left of
+        # numbers near 1, where dust that absorbs scatters forward: the engine finds these in float64.
+        floor, allowed = 3e-6, 4 * allowed
     if (
         "compensated" in entry.name
     ):  # what is missing is the square of a polynomial: right to a hundred-millionth of 1/sr

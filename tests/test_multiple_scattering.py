@@ -57,15 +57,20 @@ def test_the_albedo_of_discrete_ordinates(rows: NDArray[np.void]) -> None:
     assert error.max() < 0.02
 
 
-@pytest.mark.parametrize("g", [-0.6, 0.0, 0.5, 0.85])
+@pytest.mark.parametrize("g", [-0.75, -0.6, 0.0, 0.5, 0.8, 0.85, 0.9])
 def test_a_white_furnace(g: float) -> None:
-    """White dust over white loses no light: within 0.1 % up to 84 degrees, 0.3 to 0.5 % at 88 and 89.4, at any thickness."""
-    mu = np.array([0.01, 0.03, 0.1, 0.4, 0.7, 1.0])
-    wi = from_spherical(np.arccos(mu), 0 * mu)
-    for tau in (0.01, 0.1, 0.5, 2.0, 10.0, 100.0, 1e5):
-        loss = np.asarray(layer(1.0, tau, 1.0, g).directional_albedo(wi, nodes=(48, 64)))[:, 0] - 1
-        assert np.abs(loss[2:]).max() < 0.001, tau
-        assert np.abs(loss[:2]).max() < (0.003 if g < 0.7 else 0.005), tau
+    """White dust over white loses no light: within 0.1 % up to 89.4 degrees, at any thickness.
+
+    By a rule of its own: nodes in the root of the cosine, closer towards the horizon than those of the models' quadrature.
+    """
+    nodes, weights = np.polynomial.legendre.leggauss(48)
+    root, azimuths = 0.5 * (nodes + 1), (np.arange(160) + 0.5) * np.pi / 160
+    measure = 2 * np.pi * weights * root**3  # of cos dcos over half a turn
+    wo = from_spherical(np.arccos(root**2)[:, None], azimuths)
+    wi = from_spherical(np.arccos([0.0105, 0.02, 0.035, 0.06, 0.1, 0.4, 0.7, 1.0]), 0.0)[:, None, None]
+    for tau in (0.003, 0.01, 0.1, 0.5, 2.0, 10.0, 100.0, 1e5):
+        value = np.asarray(layer(1.0, tau, 1.0, g).eval(wi, wo))[..., 0]
+        np.testing.assert_allclose(value.mean(-1) @ measure, 1.0, atol=1e-3, err_msg=f"tau = {tau}")
 
 
 def test_higher_orders_are_isotropic_half_space() -> None:

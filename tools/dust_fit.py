@@ -22,12 +22,12 @@ from numpy.typing import NDArray
 from small_network import Network
 
 from motes.arrays import NUMPY
-from motes.models.multiple_scattering import LOST_TERMS, OWN_TERMS, Diffused, once_features
+from motes.models.multiple_scattering import LOST_TERMS, OWN_TERMS, POWERS, Diffused, once_features
 from motes.models.slants import stretched
 
 Floats = NDArray[np.float64]
 N = 16  # cosines of the exact computation
-TERMS = 7  # coefficients of E, t and the first order
+TERMS = POWERS + 1  # coefficients of E, t and the first order: of powers of v, and of what comes straight through
 AZIMUTHS = (np.arange(128) + 0.5) / 128 * np.pi
 # The optical thickness that doubling starts from: what it neglects, its half, is lost as often as it is doubled.
 THINNEST = 1e-9
@@ -36,8 +36,8 @@ _x, _w = np.polynomial.legendre.leggauss(N)
 MU, WEIGHTS = 0.5 * (_x + 1), 0.5 * _w
 FLUX = 2 * MU * WEIGHTS
 V = stretched(NUMPY, MU)
-#: Where the first order is fitted: closer towards the horizon.
-COSINES = ((np.arange(20) + 0.5) / 20) ** 2
+#: Where the first order is fitted: closer towards the horizon, and at the vertical, too.
+COSINES = ((np.arange(20) + 0.5) / 19.5) ** 2
 
 
 class Exact(NamedTuple):
@@ -136,9 +136,14 @@ def scales(tau: Floats, w: Floats, g: Floats) -> Scales:
     return Scales(np.stack(features, axis=1), layer._met, deep, lost, layer._upward)
 
 
-def powers(count: int) -> Floats:
+def powers(count: int, v: Floats = V) -> Floats:
     """What values at `count` nodes of v are at the cosines, (N, count)."""
-    return np.vander(V, count, increasing=True) @ at_nodes(count)
+    return np.vander(v, count, increasing=True) @ at_nodes(count)
+
+
+def shares(v: Floats, straight: Floats) -> Floats:
+    """What the coefficients of E, t or the first order are at the cosines, (N, TERMS)."""
+    return np.concatenate([powers(POWERS, v), straight[:, None]], axis=1)
 
 
 def nodes_of(count: int) -> Floats:
@@ -153,24 +158,25 @@ def at_nodes(count: int) -> Floats:
 
 
 def least_squares(columns: Floats, values: Floats) -> tuple[Floats, Floats]:
-    """The solution, and the Cholesky factor of the metric in which to judge another."""
+    """The solution, and the Cholesky factor of the metric in which to judge another; what data do not tell is 0."""
     metric = columns.T @ columns + 1e-10 * np.eye(columns.shape[1])
-    return np.linalg.lstsq(columns, values, rcond=1e-9)[0], np.linalg.cholesky(metric)
+    return np.linalg.solve(metric, columns.T @ values), np.linalg.cholesky(metric)
 
 
 def coefficients(found: Exact, tau: float, w: float, lost: float) -> tuple[Floats, list[Floats]]:
     """What the network is to give for one layer, E, t and the light lost by their values at nodes; and the metrics of its five parts."""
-    hit = -np.expm1(-tau / MU)
+    hit, straight = -np.expm1(-tau / MU), np.exp(-tau / MU)
+    columns = shares(V, straight)
     escaping = np.pi * (found.higher[0] * FLUX).sum(axis=1)
     root = np.sqrt(FLUX) + 0.03
     light = found.reflected + 0.02 * found.arriving**2 + 1e-4
     ways = [root / light, 0.25 * root / (escaping + 0.02 * light)]  # absolutely, and by its shape
     e, metric_e = least_squares(
-        np.concatenate([powers(TERMS) * (hit * way)[:, None] for way in ways]),
+        np.concatenate([columns * (hit * way)[:, None] for way in ways]),
         np.concatenate([escaping * way for way in ways]),
     )
     way = root / (found.arriving + 0.05)
-    t, metric_t = least_squares(powers(TERMS) * (hit * way)[:, None], (found.arriving - np.exp(-tau / MU)) * way)
+    t, metric_t = least_squares(columns * (hit * way)[:, None], (found.arriving - straight) * way)
     if 1 - w > 1e-4 and w > 1e-3:
         way = (1 - w) * w * lost * hit * root
         more = (1 - found.reflected - found.arriving) / ((1 - w) * hit) - 1
@@ -202,7 +208,8 @@ def sample(count: int, seed: int) -> Floats:
     tau = np.where(rng.uniform(size=count) < 0.08, 1e4, 10 ** rng.uniform(-2.6, 2.3, count))  # and half spaces
     kind = rng.uniform(size=count)
     w = np.where(kind < 0.5, 1 - rng.uniform(size=count) ** 3, np.where(kind < 0.7, 1.0, rng.uniform(size=count)))
-    g = np.where(rng.uniform(size=count) < 0.7, rng.uniform(-0.75, 0.9, count), rng.uniform(0.5, 0.9, count))
+    # A little beyond what the model takes, so that no end of it is an end here.
+    g = np.where(rng.uniform(size=count) < 0.7, rng.uniform(-0.77, 0.91, count), rng.uniform(0.5, 0.91, count))
     return np.stack([tau, w, g], axis=1)
 
 
@@ -231,45 +238,41 @@ def powers_of_v(counts: list[int], total: int) -> Floats:
 def once_network(where: Floats, start: dict[str, Any] | None, given: argparse.Namespace) -> Network:
     """The network for the first order, from tau and g."""
     tau, _, g = where.T
-    wanted = first_order(g, tau)
-    way = np.sqrt(
-        -np.expm1(-tau[:, None] / COSINES)
-    )  # between what errs of the light and what errs of its share that meets a particle
-    columns = np.vander(stretched(NUMPY, COSINES), TERMS, increasing=True) @ at_nodes(TERMS)
+    wanted, straight = first_order(g, tau), np.exp(-tau[:, None] / COSINES)
+    # Between what errs of the light and what errs of its share that meets a particle.
+    way = np.sqrt(1 - straight)
+    columns = np.stack([shares(stretched(NUMPY, COSINES), row) for row in straight])
     features = np.stack(once_features(NUMPY, tau, g), axis=1)
     if start is None:
         middle, spread = np.full(TERMS, 0.3), np.full(TERMS, 0.2)
         net = Network.random(features, given.once, middle, spread, given.seed)
     else:
-        net = Network.read(start, np.linalg.inv(powers_of_v([TERMS], TERMS)))
-    for power in (0.0, 1.0):
+        net = Network.read(start, np.linalg.inv(powers_of_v([POWERS, 1], TERMS)))
+    for power in (0.0, 1.0, 2.0):
         net.fit(features, 1e3 * way[:, :, None] * columns, 1e3 * way * wanted, given.steps, power)
-    error = np.abs(way * way * (net.outputs(features) @ columns.T - wanted)).max(axis=1)
+    error = np.abs(way * way * (np.einsum("nct,nt->nc", columns, net.outputs(features)) - wanted)).max(axis=1)
     print(f"first order, of all light: median {np.median(error):.2g}, worst {error.max():.2g}")
     return net
 
 
 def network(where: Floats, once: Floats, start: dict[str, Any] | None, given: argparse.Namespace) -> Network:
-    """The network for the rest; `once` has the values at nodes of the one for the first order (n, TERMS)."""
+    """The network for the rest; `once` has what the one for the first order gives, its values at nodes and its share of 1 - x (n, TERMS)."""
     values, metrics = layers(where)
     scale, w = scales(*where.T), where[:, 1]
     sizes = [OWN_TERMS, OWN_TERMS, LOST_TERMS]
     total = sum(sizes) + 6
 
-    def at_all(count: int) -> Floats:
-        return np.vander(nodes_of(TERMS), count, increasing=True) @ at_nodes(count)
-
     def wide(factor: Floats, at: int, count: int) -> Floats:
         """Values at all nodes, times a factor, out of `count` of the outputs (n, TERMS, total)."""
         matrix = np.zeros((len(where), TERMS, total))
-        matrix[:, :, at : at + count] = factor[:, None, None] * at_all(count)
+        matrix[:, :POWERS, at : at + count] = factor[:, None, None] * powers(count, nodes_of(POWERS))
         return matrix
 
     # As the model has them: what E, t and the light lost leave unsaid is added to E and to t.
     up, down = (x[:, None] for x in (w * scale.upward, 1 - scale.upward))
     e, t = wide(scale.met, 0, OWN_TERMS), wide(scale.deep, OWN_TERMS, OWN_TERMS)
     unsaid = -wide(w * (1 - w) * scale.lost, 2 * OWN_TERMS, LOST_TERMS) - e - t
-    known = w[:, None] * (1 - once)
+    known = w[:, None] * (np.append(np.ones(POWERS), 0.0) - once)
     found = [(e + up[..., None] * unsaid, up * known), (t + down[..., None] * unsaid, down * known)]
     ends = np.cumsum([2 * OWN_TERMS, LOST_TERMS, 3, 3])
     unit = np.eye(total)
@@ -304,7 +307,7 @@ def main() -> None:
     once = first.outputs(np.stack(once_features(NUMPY, where[:, 0], where[:, 2]), axis=1))
     net = network(where, once, start, given)
     numbers = net.numbers(powers_of_v([OWN_TERMS, OWN_TERMS, LOST_TERMS], 2 * OWN_TERMS + LOST_TERMS + 6))
-    numbers["once"] = first.numbers(powers_of_v([TERMS], TERMS))
+    numbers["once"] = first.numbers(powers_of_v([POWERS, 1], TERMS))
     given.output.write_text(json.dumps(numbers) + "\n", encoding="utf-8")
     print(given.output)
 

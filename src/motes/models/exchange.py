@@ -51,8 +51,10 @@ class Exchange:
         layer, (i, r) = self.layer, Slant.pair(geometry)
         diffuse_i, diffuse_r = layer.arriving(i), layer.arriving(r)
         lit_i, lit_r = (layer.straight(slant) * self._reflected(slant.cosine) for slant in (i, r))
-        once = lit_i * diffuse_r + lit_r * diffuse_i + self._mean * (diffuse_i * diffuse_r)
         up_i, up_r = lit_i + self._mean * diffuse_i, lit_r + self._mean * diffuse_r
+        once = (
+            lit_i * diffuse_r + diffuse_i * up_r
+        )  # symmetrical: the second has both that is lit straight at r and at neither
         for leaning in self._leaning:
             lean_i, lean_r = (self._leant(leaning, slant) for slant in (i, r))
             once = once + (

@@ -2,11 +2,11 @@ r"""All orders of scattering in a plane layer of Henyey-Greenstein dust, in a fo
 
 The first order is exact and stands with the dust (`motes.models.dust`).  Here is what the others add, as functions of tau, w and g
 fitted to adding and doubling (``tools/dust_fit.py``; docs/dust.md has the errors), in a form that is reciprocal and keeps energy
-whatever the fitted numbers are.  With :math:`x(\mu) = 1 - e^{-\tau/\mu}`, :math:`v(\mu) = 2 \sqrt{1.7 \mu / (\mu + 0.7)} - 1`, and
-the cosines :math:`\mu` to the vertical:
+whatever the fitted numbers are.  With :math:`x(\mu) = 1 - e^{-\tau/\mu}`, :math:`v(\mu) = 2 \sqrt{1.5 \mu / (\mu + 0.5)} - 1`, the
+cosines :math:`\mu` to the vertical, and :math:`p_k = v^k` for k up to 6 and :math:`p_7 = 1 - x`, which bends where x does:
 
 .. math::
-   S(\mu) = w x(\mu) \sum_k s_k v^k, \qquad E(\mu) = x(\mu) \sum_k e_k v^k, \qquad t(\mu) = 1 - x(\mu) + x(\mu) \sum_k t_k v^k
+   S(\mu) = w x(\mu) \sum_k s_k p_k, \qquad E(\mu) = x(\mu) \sum_k e_k p_k, \qquad t(\mu) = 1 - x(\mu) + x(\mu) \sum_k t_k p_k
 
 are the shares of light that leave above after one scattering, and after two or more, and the share that arrives below.  One more
 polynomial, n, says what is lost, :math:`(1 - w) x (1 + w L n)`, with L that of two streams.  What these leave unsaid,
@@ -53,12 +53,13 @@ LEAST_DECAY = 1e-5
 # Less light than this leaves after several scatterings where there is no dust, or black dust.
 LEAST_ESCAPING = 1e-30
 ROOT_3 = math.sqrt(3.0)
-#: How many numbers of the network are for E, for t and for n.
-OWN_TERMS, LOST_TERMS = 6, 4
+#: Of v in S, E and t; and how many numbers of the network are for E, for t and for n.
+POWERS, OWN_TERMS, LOST_TERMS = 7, 6, 4
 #: A of the azimuth: the m-th of its waves is A rho^m, as adding and doubling has it within a few hundredths for g up to 0.85.
 ONWARD = 1.15
-# Where a fit strays: the narrowest peak in azimuth, and the least of its mean.
-MOST_ONWARD, LEAST_AROUND = 0.95, 0.05
+# Where a fit strays: the narrowest peak in azimuth, and the least of its mean.  Up to that peak A is below (1 + rho) / (2 rho), so that
+# nothing is negative across from it, nor has to be cut off: that would change an albedo.
+MOST_ONWARD, LEAST_AROUND = 0.76, 0.05
 
 
 @lru_cache(maxsize=1)
@@ -105,15 +106,24 @@ class Diffused:
 
     def escaping(self, slant: Slant) -> Array:
         """The share E of light that leaves above after two or more scatterings."""
-        return self.hit(slant) * self.xp.maximum(polynomial(self._fitted[0], slant.v), 0.0)
+        return self._share(self._fitted[0], slant)
 
     def returned_once(self, slant: Slant) -> Array:
         """The share S of light that leaves above after one scattering."""
-        return self.w * self.hit(slant) * self.xp.maximum(polynomial(self._fitted[2], slant.v), 0.0)
+        return self.w * self._share(self._fitted[2], slant)
 
     def arriving(self, slant: Slant) -> Array:
         """The share of light that arrives below diffusely, t less what comes straight through."""
-        return self.hit(slant) * self.xp.maximum(polynomial(self._fitted[1], slant.v), 0.0)
+        return self._share(self._fitted[1], slant)
+
+    def _share(self, coefficients: list[Array], slant: Slant) -> Array:
+        """x times what was fitted."""
+        return self.hit(slant) * self._of_hit(coefficients, slant)
+
+    def _of_hit(self, coefficients: list[Array], slant: Slant) -> Array:
+        """What was fitted, a polynomial in v and a share of 1 - x, as far as it is above 0."""
+        fitted = polynomial(coefficients[:-1], slant.v) + coefficients[-1] * self.straight(slant)
+        return self.xp.maximum(fitted, 0.0)
 
     def higher_orders(self, geometry: Geometry, i: Slant, r: Slant) -> Array:
         """The BRDF of two and more scatterings [1/sr]; `i` and `r` are the slants of the geometry.
@@ -130,8 +140,9 @@ class Diffused:
         # geometry.cos_dphi is 1 towards the light: light that goes on has -1 there.
         across = -geometry.cos_dphi * mean
         onward = wave * (across - wave) / (mean * mean + wave * (wave - 2 * across))
-        e_i, e_r = (self.hit(s) * xp.maximum(polynomial(root, s.v), 0.0) for s in (i, r))
-        return e_i * e_r * (mean * xp.maximum(1 + (2 * ONWARD) * onward, 0.0))
+        # All channels share the first of these products.
+        hit = self.hit(i) * self.hit(r)
+        return hit * (self._of_hit(root, i) * self._of_hit(root, r) * (mean * (1 + (2 * ONWARD) * onward)))
 
     @cached_property
     def _pairing(self) -> tuple[list[Array], list[Array], list[Array]]:
@@ -168,7 +179,7 @@ class Diffused:
     @property
     def mean_straight(self) -> Array:
         """The share of uniform light that meets no particle on its way through."""
-        return 1 - self._moments[0]
+        return 1 - self._moments[0][0]
 
     @cached_property
     def mean_returned(self) -> Array:
@@ -177,7 +188,7 @@ class Diffused:
         It is between 0 and what meets a particle and is scattered: exactly nothing where the dust is black.
         """
         returned = self.w * self._mean(self._fitted[2], 0) + self._mean(self._fitted[0], 0)
-        return self.xp.maximum(self.xp.minimum(returned, self.w * self._moments[0]), 0.0)
+        return self.xp.maximum(self.xp.minimum(returned, self.w * self._moments[0][0]), 0.0)
 
     @cached_property
     def _means(self) -> tuple[Array, Array]:
@@ -186,25 +197,31 @@ class Diffused:
         return self._mean(self._fitted[0], 1) * inverse, self._mean(self._fitted[0], 2) * inverse
 
     def _mean(self, coefficients: list[Array], power: int) -> Array:
-        """2 int x sum_k c_k v^(k + power) mu dmu."""
-        total: Array = 0.0
-        for k, coefficient in enumerate(coefficients):
-            total = total + coefficient * self._moments[k + power]
+        """2 int x (sum_k c_k v^k + c (1 - x)) v^power mu dmu."""
+        of_hit, of_both = self._moments
+        total = coefficients[-1] * of_both[power]
+        for k, coefficient in enumerate(coefficients[:-1]):
+            total = total + coefficient * of_hit[k + power]
         return total
 
     @cached_property
-    def _moments(self) -> list[Array]:
-        """2 int x v^k mu dmu, by quadrature in the root of mu: a thin layer is met at grazing angles."""
+    def _moments(self) -> tuple[list[Array], list[Array]]:
+        """2 int x v^k mu dmu and 2 int x (1 - x) v^k mu dmu, by quadrature in the root of mu: a thin layer is met at grazing angles."""
         nodes, weights = np.polynomial.legendre.leggauss(NODES)
         nodes, weights = 0.5 * (nodes + 1), 0.5 * weights
-        moments: list[Array] = [0.0] * (len(self._fitted[0]) + 2)
+        of_hit: list[Array] = [0.0] * (POWERS + 2)
+        of_both: list[Array] = [0.0] * 3
         for node, weight in zip(nodes.tolist(), weights.tolist(), strict=True):
             slant = Slant.at(node * node)
             part = self.hit(slant) * (4 * weight * node * slant.cosine)
-            for k in range(len(moments)):
-                moments[k] = moments[k] + part
+            both = part * self.straight(slant)
+            for k in range(len(of_hit)):
+                of_hit[k] = of_hit[k] + part
                 part = part * slant.v
-        return moments
+            for k in range(len(of_both)):
+                of_both[k] = of_both[k] + both
+                both = both * slant.v
+        return of_hit, of_both
 
     # ------------------------------------------------------------ what was fitted
 

@@ -12,8 +12,8 @@ from operator import mul
 from motes.arrays import NUMPY, Array
 from motes.directions import Geometry
 
-#: Of v: found by what seven terms err in S, E and t.
-BEND = 0.7
+#: Of v: found by what eight terms err in S, E and t.
+BEND = 0.5
 STRETCH = 2 * (1 + BEND) ** 0.5
 
 
