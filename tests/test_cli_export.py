@@ -13,7 +13,7 @@ from motes import Material
 from motes.ageing import age
 from motes.cli.export_command import To
 from motes.cli.main import USAGE, main
-from motes.exports import SURFACES, TARGETS
+from motes.exports import SURFACES, TARGETS, TEXTURES
 from shader_support import MODELS
 
 
@@ -29,7 +29,7 @@ def paint(tmp_path: Path) -> Path:
 
 
 def test_choices_are_the_targets() -> None:
-    assert get_args(To) == (*TARGETS, *SURFACES)
+    assert get_args(To) == (*TARGETS, *SURFACES, *TEXTURES)
 
 
 @pytest.mark.parametrize("to", [to for to in TARGETS if to not in ("merl", "openmaterial")])

@@ -87,8 +87,9 @@ def test_read_back(tmp_path: Path) -> None:
 
 VALIDATE = """
 const validator = require(process.argv[1]);
-const bytes = new Uint8Array(require('fs').readFileSync(process.argv[2]));
-validator.validateBytes(bytes).then((report) => console.log(JSON.stringify(report)));
+const [fs, path, file] = [require('fs'), require('path'), process.argv[2]];
+const beside = (uri) => Promise.resolve(new Uint8Array(fs.readFileSync(path.join(path.dirname(file), uri))));
+validator.validateBytes(new Uint8Array(fs.readFileSync(file)), {externalResourceFunction: beside}).then((report) => console.log(JSON.stringify(report)));
 """
 
 

@@ -33,20 +33,22 @@ def material_of(text: str) -> Material:
     from motes.presets import given, named
 
     if is_map(text) and isinstance(given(text), Path):
-        raise _many(text)
+        raise many(text)
     return named(text)
 
 
-def _many(store: str) -> DataError:
-    """The error for a Zarr store where one material is asked for."""
+def many(store: str, target: str = "") -> DataError:
+    """The error for a Zarr store where one material is asked for, such as by the target of an export."""
     from motes.errors import DataError
     from motes.maps import FittedMap, open_map
 
     if not isinstance(open_map(store), FittedMap):
         return DataError(f"{store} holds measured reflectance at every texel", f"motes fit {store} fits every texel")
+    textures = f"--to openpbr, gltf, blender, orm and others write textures instead of {target}; " if target else ""
     return DataError(
         f"{store} holds a material for every texel, and one is asked for",
-        f"motes render {store} -o NAME.png shows it, motes view {store} what was fitted at each texel; docs/maps.md says how to take one texel's in Python",
+        f"{textures}motes render {store} -o NAME.png shows it, "
+        f"motes view {store} what was fitted at each texel; docs/maps.md says how to take one texel's in Python",
     )
 
 

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import base64
-import struct
-import zlib
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
@@ -12,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from motes.channels import colours_of
+from motes.images import png_writing
 
 Floats = NDArray[np.floating[Any]]
 
@@ -134,30 +133,11 @@ def hex_color(rgb: ArrayLike) -> str:
 
 
 def png(pixels: NDArray[np.uint8]) -> bytes:
-    """A PNG file of 8-bit pixels (H, W, 3) or (H, W, 4), straight alpha; grey pictures are stored as grey.
-
-    A dozen lines rather than an imaging library: the format's uncompressed layout is fixed (PNG, ISO 15948), zlib is in the standard library, and the
-    bytes depend on nothing but the pixels.
-    """
-    height, width, n = pixels.shape
+    """A PNG file of 8-bit pixels (H, W, 3) or (H, W, 4), straight alpha; grey pictures are stored as grey."""
+    n = pixels.shape[-1]
     if np.array_equal(pixels[..., 0], pixels[..., 1]) and np.array_equal(pixels[..., 0], pixels[..., 2]):
         pixels = pixels[..., [0, 3]] if n == 4 else pixels[..., :1]
-    kind = {1: 0, 3: 2, 2: 4, 4: 6}[pixels.shape[-1]]
-    # Filter 1 (difference to the pixel on the left) suits smooth shading; the arithmetic is modulo 256.
-    filtered = pixels.copy()
-    filtered[:, 1:] -= pixels[:, :-1]
-    rows = np.concatenate([np.ones((height, 1), np.uint8), filtered.reshape(height, -1)], axis=1)
-
-    def chunk(name: bytes, data: bytes) -> bytes:
-        return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
-
-    header = struct.pack(">IIBBBBB", width, height, 8, kind, 0, 0, 0)
-    return (
-        b"\x89PNG\r\n\x1a\n"
-        + chunk(b"IHDR", header)
-        + chunk(b"IDAT", zlib.compress(rows.tobytes(), 6))
-        + chunk(b"IEND", b"")
-    )
+    return png_writing.encoded(pixels)
 
 
 def data_uri(file: bytes, kind: str = "image/png") -> str:

@@ -1,5 +1,5 @@
 """Materials for other programs: shaders, documents and tables, printed from the equations."""
 
-from motes.exports.targets import SURFACES, TARGETS, Exported, Target, export, target_named
+from motes.exports.targets import SURFACES, TARGETS, TEXTURES, Exported, Target, export, target_named
 
-__all__ = ["SURFACES", "TARGETS", "Exported", "Target", "export", "target_named"]
+__all__ = ["SURFACES", "TARGETS", "TEXTURES", "Exported", "Target", "export", "target_named"]

@@ -117,6 +117,13 @@ SURFACES: dict[str, tuple[Target, str]] = {
         "Principled",
     ),
 }
+#: What a map is written for besides `SURFACES`: sets of pictures that several programs share (`motes.exports.texture_export`).
+TEXTURES: dict[str, Target] = {
+    "orm": Target(
+        "Unreal, Godot and others: base colour, and occlusion, roughness, metallic in one picture", "", "texture_export"
+    ),
+    "unity": Target("Unity: base map, and mask map with smoothness", "", "texture_export"),
+}
 SHADERS = ("glsl", "wgsl", "hlsl", "osl", "c")
 
 
@@ -214,6 +221,11 @@ def target_named(to: str) -> Target:
         return TARGETS[to]
     if to in SURFACES:
         return SURFACES[to][0]
+    if to in TEXTURES:
+        raise ParameterError(
+            f"{to} is a set of textures, for a map that motes fit wrote",
+            f"One material goes to {either(list(SURFACES))}",
+        )
     raise ParameterError(
         f"{to!r} is nothing that Motes exports to", f"It exports to {', '.join([*TARGETS, *SURFACES])}"
     )

@@ -50,7 +50,10 @@ class Conversion:
     @classmethod
     def between(cls, source: BRDF, brdf: BRDF) -> Conversion:
         """Another model in the place of a source, and how far it is from it."""
-        return cls(brdf, _relative(brdf, source), _albedo(brdf, source), _seen(brdf, source))
+        wi, wo, weights = pairs(source, brdf)  # directions of both, of which a fit sees those of the source alone
+        got, wanted = brdf.eval(wi, wo), source.eval(wi, wo)
+        off = float(relative_rms(got, wanted, wi, weights))
+        return cls(brdf, off, _albedo(brdf, source), float(seen(got, wanted, wi, wo, weights)))
 
     def said(self) -> str:
         """A sentence for people and for files."""
@@ -92,10 +95,9 @@ def convert(model: BRDF | str, to: str, *, loss: str = "linear", start: BRDF | N
     0.31
     """
     source = parse(model).model if isinstance(model, str) else model
-    if not source.reciprocal:
-        raise MotesError(f"{describe(source)} is not reciprocal, so it is no BRDF", "Give dust form='brdf'")
+    check_reciprocal(source)
     linear = loss_named(loss).is_linear
-    wi, wo, weights = _pairs(source, *(() if linear else GLINTS))
+    wi, wo, weights = pairs(source, *(() if linear else GLINTS))
     if not linear:
         weights = weights / wo[:, 2]  # the viewer's cosine once: by how much of a picture shows the surface from there
     values = source.eval(wi, wo)
@@ -104,12 +106,7 @@ def convert(model: BRDF | str, to: str, *, loss: str = "linear", start: BRDF | N
     about = {"name": describe(source), "simulated": f"values of {describe(source)}"}
     data = Measurement.from_arrays(wi, wo, values, weights=weights, provenance=about)
     target, held = parse(to)
-    coloured = any(np.ndim(s.value) and s.parameter.shared_in_fit for s in source.slots())
-    strengths = (
-        tuple(slot.name for slot in target.slots(Role.HIGHLIGHT_STRENGTH) if slot.parameter.per_channel)
-        if coloured
-        else ()
-    )
+    strengths = coloured_strengths(source, target)
     wanted: str | BRDF = to
     if start is not None:
         values = {name: value for name, value in start.parameters.items() if name not in held}
@@ -121,11 +118,36 @@ def convert(model: BRDF | str, to: str, *, loss: str = "linear", start: BRDF | N
     return Conversion.between(source, found.material.brdf)
 
 
-def _pairs(*models: BRDF) -> tuple[Floats, Floats, Floats]:
-    """Directions for every light, as many after the cosine as after each model's own lobes, and the weight of each: solid angle times cosine."""
-    x, polar = np.polynomial.legendre.leggauss(LIGHTS)
+def check_reciprocal(source: BRDF) -> None:
+    """Refuse what is no BRDF: dust in the form of brightness."""
+    if not source.reciprocal:
+        raise MotesError(f"{describe(source)} is not reciprocal, so it is no BRDF", "Give dust form='brdf'")
+
+
+def coloured_strengths(source: BRDF, target: BRDF) -> tuple[str, ...]:
+    """The strengths of the target's highlights that have a value per channel in a fit, because those of the source have."""
+    if not any(np.ndim(s.value) and s.parameter.shared_in_fit for s in source.slots()):
+        return ()
+    return tuple(slot.name for slot in target.slots(Role.HIGHLIGHT_STRENGTH) if slot.parameter.per_channel)
+
+
+def pairs(
+    *models: BRDF, lights: int = LIGHTS, viewers: int = VIEWERS, shift: tuple[float, float] = (0.5, 0.5)
+) -> tuple[Floats, Floats, Floats]:
+    """Directions for every light, as many after the cosine as after each model's own lobes, and the weight of each: solid angle times cosine.
+
+    Parameters
+    ----------
+    *models
+        Whose lobes are seen.
+    lights, viewers
+        Polar angles of the light, and directions towards the viewer for each of them and each way to choose them.
+    shift
+        Of the points that choose them; another one has other directions.
+    """
+    x, polar = np.polynomial.legendre.leggauss(lights)
     theta = 0.25 * np.pi * (x + 1)
-    numbers = even(VIEWERS)
+    numbers = even(viewers, shift)
     samplers = (Lambert(1.0), *models)
     found: list[tuple[Floats, Floats, Floats]] = []
     for light, share in zip(from_spherical(theta, 0.0), polar * np.sin(theta), strict=True):
@@ -145,20 +167,21 @@ def even(count: int, shift: tuple[float, float] = (0.5, 0.5)) -> Floats:
     return np.asarray((np.asarray(shift) + k * np.array([1 / ratio, 1 / ratio**2])) % 1.0)
 
 
-def _relative(brdf: BRDF, source: BRDF) -> float:
-    """The relative root mean square over directions of both models, of which the fit saw those of the source alone."""
-    wi, wo, weights = _pairs(source, brdf)
-    seen = (weights * wi[:, 2] ** 2)[:, None]
-    wanted = source.eval(wi, wo)
-    return float(np.sqrt(np.sum(seen * (brdf.eval(wi, wo) - wanted) ** 2) / np.sum(seen * wanted**2)))
+def relative_rms(got: Floats, wanted: Floats, wi: Floats, weights: Floats) -> Floats:
+    """The relative root mean square of values (..., D, C) at directions (D, 3) as `pairs` has them, (...)."""
+    return _rms(got, wanted, weights * wi[:, 2] ** 2)
 
 
-def _seen(brdf: BRDF, source: BRDF) -> float:
-    """As `_relative`, of the cube roots of values times the light's cosine, over how much of a picture shows each direction."""
-    wi, wo, weights = _pairs(source, brdf)
-    shown, wanted = (np.cbrt(model.eval(wi, wo) * wi[:, 2:]) for model in (brdf, source))
-    part = (weights / wo[:, 2])[:, None]
-    return float(np.sqrt(np.sum(part * (shown - wanted) ** 2) / np.sum(part * wanted**2)))
+def seen(got: Floats, wanted: Floats, wi: Floats, wo: Floats, weights: Floats) -> Floats:
+    """As `relative_rms`, of the cube roots of values times the light's cosine, over how much of a picture shows each direction."""
+    cosine = wi[:, 2:]
+    return _rms(np.cbrt(got * cosine), np.cbrt(wanted * cosine), weights / wo[:, 2])
+
+
+def _rms(got: Floats, wanted: Floats, shares: Floats) -> Floats:
+    part = shares[:, None]
+    squares = [np.sum(part * x * x, axis=(-2, -1)) for x in (got - wanted, wanted)]
+    return np.asarray(np.sqrt(squares[0] / squares[1]))
 
 
 def _albedo(brdf: BRDF, source: BRDF) -> float:

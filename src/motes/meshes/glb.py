@@ -128,7 +128,7 @@ class Blob:
 
     def add(self, values: NDArray[Any], target: int | None = None) -> int:
         """Append numbers (N, K) of four bytes each; returns the index of their accessor.  An animation's have no target."""
-        kind = {1: "SCALAR", 2: "VEC2", 3: "VEC3"}[values.shape[1]]
+        kind = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}[values.shape[1]]
         component = COMPONENTS[values.dtype.name]
         view = {"buffer": 0, "byteOffset": len(self.data), "byteLength": values.nbytes}
         self.views.append(view if target is None else {**view, "target": target})

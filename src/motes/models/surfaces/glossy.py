@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
 from motes import equations
 from motes.arrays import Array
 from motes.directions import Geometry
@@ -10,6 +15,7 @@ from motes.models.ggx import GGX
 from motes.models.lobes import Lobe
 from motes.parameters import Role, parameter
 
+Floats = NDArray[np.float64]
 #: The smallest alpha that the lobes take; programs clamp theirs, too.
 SMALLEST_ALPHA = 0.001
 #: The cosine at which F82 is given, and the factor of the term that bends Schlick's curve through it.
@@ -67,6 +73,14 @@ def bent_schlick(xp: Array, cos_theta: Array, f0: Array, f82: Array) -> Array:
     m = 1 - cos_theta
     m2 = m * m
     return equations.fresnel_schlick(xp, cos_theta, f0) - there * (1 - f82) * BEND * (cos_theta * (m2 * m2 * m2))
+
+
+def brightest_apart(values: Mapping[str, Floats], weight: str, tint: str) -> dict[str, Floats]:
+    """A weight (...) and a colour (..., C) whose product stays what it is, the colour's largest component 1; one that is black as it is, without weight."""
+    most = np.max(values[tint], axis=-1)
+    black = most == 0
+    scale = np.where(black, 1.0, most)
+    return {weight: values[weight] * most, tint: np.minimum(values[tint] / scale[..., None], 1.0)}
 
 
 def mixed(a: Array, b: Array, share: Array) -> Array:

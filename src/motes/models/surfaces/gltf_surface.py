@@ -6,10 +6,9 @@ Source: glTF 2.0 specification, appendix B, and the two extensions, Khronos, 202
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import ClassVar, Self, final
-
-import numpy as np
+from typing import ClassVar, final
 
 from motes import equations
 from motes.arrays import Array
@@ -19,7 +18,7 @@ from motes.models.lobes import CosineLobe
 from motes.models.naming import register
 from motes.models.sheen import sheen, sheen_albedo
 from motes.models.surfaces import glossy
-from motes.models.surfaces.program import NEGLIGIBLE, Numbers, Surface, number
+from motes.models.surfaces.program import NEGLIGIBLE, Floats, Numbers, Surface, number
 from motes.parameters import Role, parameter
 
 #: The reflectance at normal incidence of glTF's dielectrics.
@@ -63,14 +62,9 @@ class GltfSurface(Surface):
     sheen_tint: Array = glossy.colour("colour of the sheen relative to its largest component")
     sheen_roughness: Array = glossy.share("roughness of the sheen, the root of alpha", default=0.5, starts=(0.4, 0.8))
 
-    def canonical(self) -> Self:
-        largest = float(np.max(self.sheen_tint))
-        if not largest:
-            return self.with_parameters({"sheen_weight": 0.0})
-        weight = number(self.sheen_weight) * largest
-        return self.with_parameters(
-            {"sheen_weight": weight, "sheen_tint": np.minimum(np.asarray(self.sheen_tint) / largest, 1.0)}
-        )
+    @classmethod
+    def admissible(cls, values: Mapping[str, Floats]) -> dict[str, Floats]:
+        return {**values, **glossy.brightest_apart(values, "sheen_weight", "sheen_tint")}
 
     def written(self) -> Numbers:
         found = super().written()

@@ -7,8 +7,9 @@ implementation in MaterialX 1.39; so the surface is not reciprocal."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import ClassVar, Self, final
+from typing import ClassVar, final
 
 import numpy as np
 
@@ -21,7 +22,7 @@ from motes.models.lobes import CosineLobe
 from motes.models.naming import register
 from motes.models.surfaces import glossy
 from motes.models.surfaces.fuzz import fuzz, fuzz_albedo
-from motes.models.surfaces.program import NEGLIGIBLE, Numbers, Surface, number
+from motes.models.surfaces.program import NEGLIGIBLE, Floats, Numbers, Surface, number
 from motes.parameters import Role, parameter
 
 
@@ -71,13 +72,16 @@ class OpenPBR(Surface):
     fuzz_color: Array = glossy.colour("colour of the fuzz")
     fuzz_roughness: Array = glossy.share("roughness of the fuzz", default=0.5, starts=(0.3, 0.7))
 
-    def canonical(self) -> Self:
-        weight = number(self.specular_weight)
-        if weight <= 1:
-            return self
+    @classmethod
+    def admissible(cls, values: Mapping[str, Floats]) -> dict[str, Floats]:
+        weight, ior = values["specular_weight"], values["specular_ior"]
+        over = weight > 1
+        if not np.any(over):
+            return dict(values)
         # The same by an index, of which 10 is the largest.
-        root = np.sqrt(min(weight * number(glossy.normal_reflectance(self.specular_ior)), 0.66))
-        return self.with_parameters({"specular_weight": 1.0, "specular_ior": (1 + root) / (1 - root)})
+        root = np.sqrt(np.minimum(weight * glossy.normal_reflectance(ior), 0.66))
+        index = np.where(over, (1 + root) / (1 - root), ior)
+        return {**values, "specular_weight": np.minimum(weight, 1.0), "specular_ior": index}
 
     def written(self) -> Numbers:
         found = super().written()

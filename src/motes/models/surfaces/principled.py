@@ -7,8 +7,9 @@ by the albedo towards the viewer; light reflected several times after C. Kulla, 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import ClassVar, Self, final
+from typing import ClassVar, final
 
 import numpy as np
 
@@ -22,7 +23,7 @@ from motes.models.lobes import CosineLobe
 from motes.models.naming import register
 from motes.models.surfaces import glossy
 from motes.models.surfaces.fuzz import fuzz, fuzz_albedo
-from motes.models.surfaces.program import NEGLIGIBLE, Numbers, Surface, number
+from motes.models.surfaces.program import NEGLIGIBLE, Floats, Numbers, Surface, number
 from motes.parameters import Role, option, parameter
 
 #: The cosine whose albedo stands for the mean over all, weighted by the cosine.
@@ -75,19 +76,20 @@ class Principled(Surface):
         "eon", words=("eon", "coloured"), doc="light that rough diffuse facets send each other"
     )
 
-    def canonical(self) -> Self:
-        largest = float(np.max(self.sheen_tint))
-        level = number(self.specular_ior_level)
-        # The sheen covers by its brightest channel.
-        changed = {
-            "sheen_weight": number(self.sheen_weight) * largest,
-            "sheen_tint": np.minimum(np.asarray(self.sheen_tint) / largest, 1.0) if largest else self.sheen_tint,
-        }
-        if level > 0.5:  # the same by an index, which the slider's end does not stop
-            normal = 2 * level * number(glossy.normal_reflectance(self.ior))
-            root = np.sqrt(min(normal, 0.66))  # Blender's index ends at 1000, ours at 10
-            changed |= {"ior": (1 + root) / (1 - root), "specular_ior_level": 0.5}
-        return self.with_parameters(changed)
+    @classmethod
+    def admissible(cls, values: Mapping[str, Floats]) -> dict[str, Floats]:
+        level, ior = values["specular_ior_level"], values["ior"]
+        found = {
+            **values,
+            **glossy.brightest_apart(values, "sheen_weight", "sheen_tint"),
+        }  # the sheen covers by its brightest channel
+        over = level > 0.5  # the same by an index, which the slider's end does not stop
+        if not np.any(over):
+            return found
+        # Blender's index ends at 1000, ours at 10.
+        root = np.sqrt(np.minimum(2 * level * glossy.normal_reflectance(ior), 0.66))
+        index = np.where(over, (1 + root) / (1 - root), ior)
+        return {**found, "ior": index, "specular_ior_level": np.minimum(level, 0.5)}
 
     def written(self) -> Numbers:
         found = super().written()

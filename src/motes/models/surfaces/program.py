@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from abc import ABC
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar, Self
 
 import numpy as np
+from numpy.typing import NDArray
 
 from motes.arrays import Array
 from motes.models.base import BRDF
 
 #: A weight below it is written as 0, and what it weighs left at what the program has.
 NEGLIGIBLE = 1e-4
+Floats = NDArray[np.float64]
 Numbers = dict[str, float | tuple[float, ...]]
 
 
@@ -34,9 +37,24 @@ class Surface(BRDF, ABC):
     #: What the program has besides, in a sentence.
     left_out: ClassVar[str]
 
+    @classmethod
+    def admissible(cls, values: Mapping[str, Floats]) -> dict[str, Floats]:
+        """The same surfaces with parameters that the program has, where a fit may take others; nearly the same where they cannot be.
+
+        Parameters
+        ----------
+        values
+            All parameters by name: numbers (...), and colours (..., C); of one surface or of many.
+        """
+        return dict(values)
+
     def canonical(self) -> Self:
-        """The same surface with parameters that the program has, where a fit may take others; nearly the same where they cannot be."""
-        return self
+        """The same surface as the program can have it: see `admissible`."""
+        slots = self.slots()
+        own = {s.name: np.atleast_1d(s.value) if s.parameter.per_channel else np.ravel(s.value)[0] for s in slots}
+        new = self.admissible(own)
+        changed = {s.name: np.reshape(new[s.name], np.shape(s.value)) for s in slots if new[s.name] is not own[s.name]}
+        return self.with_parameters(changed) if changed else self
 
     def written(self) -> Numbers:
         """The parameters as the program takes them: numbers, and colours of three."""
