@@ -1,9 +1,10 @@
 """The surface of another program at every texel of a map: its parameters, fitted to each texel's material, and how far each is from it.
 
 A fit of one material takes a quarter of a second, too long for a million.  So a few texels that lie far apart are fitted singly; they say which of the
-surface's texts serves the map, where the search begins, and which directions show all of its highlights.  All texels are then fitted by the batched
-solver of the engine (`motes.fitting.texels`), a thousand times faster.  Errors are counted at other directions than those of the fit, and some texels
-are fitted singly after all, to compare.
+surface's texts serves the map, where the search begins, and which directions show all of its highlights.  A thousand texels, or all of a small map, are
+fitted by the batched solver of the engine (`motes.fitting.texels`), at thousands of directions as a single fit.  All others lie on planes through the
+parameters of the nearest of these; where such a texel is farther from its material than they are from theirs, it is fitted, too, at hundreds of
+directions.  Errors are counted for every texel at directions that no fit has seen, and some texels are fitted singly after all, to compare.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes.exports.surface_fit import CLEARLY
+from motes.exports.texel_planes import NEIGHBOURS, between
 from motes.fitting.conversion import (
     GLINTS,
     Conversion,
@@ -36,11 +38,16 @@ S = TypeVar("S", bound=Surface)
 
 #: Texels that are fitted singly before all others, and those that are after them, to compare; how many the first are chosen among.
 FIRST, HELD_OUT, AMONG = 6, 6, 4096
-#: Polar angles of the light, and viewers for each and each way to choose them: of the fit, and of the errors, which are counted elsewhere.
-FITTED, COUNTED = (8, 12), (9, 16)
+#: Polar angles of the light, and viewers for each and each way to choose them: of nodes,
+#: of other fits, and of the errors, which are counted elsewhere.
+DENSE, FITTED, COUNTED = (10, 48), (8, 12), (9, 16)
 ELSEWHERE = (0.21, 0.77)
-#: Texels at a time: the values of so many at all directions are 30 MB.
-TOGETHER = 2048
+#: Values of texels at a time, at all directions and channels: 32 MB of them.
+TOGETHER = 8 * 2**20
+#: Texels that planes go through.
+NODES = 1024
+#: A texel is fitted where it is farther than so many times what its neighbours are.
+FARTHER = 1.15
 
 
 @dataclass(frozen=True)
@@ -60,8 +67,10 @@ class TexelSurfaces:
     seen, relative_rms
         How far each texel's surface is from its material over the hemisphere (N,): of the cube roots of what a picture shows, and of values times
         both cosines.
+    fits
+        How many texels the batched solver fitted; the others lie on planes between them.
     compared
-        Of texels that were fitted singly, too: row, `seen` of the single fit and of the batched one, both over directions of their own.
+        Of texels that were fitted singly, too: row, `seen` of the single fit and of what stands here, both over directions of their own.
     """
 
     kind: type[Surface]
@@ -70,6 +79,7 @@ class TexelSurfaces:
     found: Bools
     seen: Floats
     relative_rms: Floats
+    fits: int
     compared: tuple[tuple[int, float, float], ...]
 
     def model(self, rows: Any) -> Surface:
@@ -86,8 +96,10 @@ class TexelSurfaces:
         off = self.quantiles()
         values, seen = off["relative_rms"], off["relative_rms_of_cube_roots"]
         shown, also = (", ".join(f"{100 * x:.2g} %" for x in of.values()) for of in (values, seen))
+        whole = int(self.found.sum())
+        how = f" ({self.fits:,} fits, planes between)" if self.fits < whole else ""
         return (
-            f"Parameters of {program} fitted at {int(self.found.sum()):,} texels: over the hemisphere {shown} relative RMS "
+            f"Parameters of {program} fitted to {whole:,} texels{how}: over the hemisphere {shown} relative RMS "
             f"(median, 95 %, worst), {also} of cube roots."
         )
 
@@ -114,7 +126,9 @@ class TexelSurfaces:
         found[place] = self.found
         compared = tuple((int(place[row]), single, batched) for row, single, batched in self.compared)
         values = {name: among(value) for name, value in self.values.items()}
-        return TexelSurfaces(self.kind, self.text, values, found, among(self.seen), among(self.relative_rms), compared)
+        return TexelSurfaces(
+            self.kind, self.text, values, found, among(self.seen), among(self.relative_rms), self.fits, compared
+        )
 
     def quantiles(self) -> dict[str, dict[str, float]]:
         """The errors: median, 95 % and worst over texels."""
@@ -168,22 +182,98 @@ def fit_texels(
     first = _far_apart(values, FIRST)
     text, known = _chosen(singles, surface, texts or surface.candidates, first)
     exact = [singles.at(k) for k in known]
-    solver, starts = _solver(text, exact, list(known.values()))
     count = len(next(iter(values.values())))
-    raw = np.full((count, solver.size), np.nan, np.float32)
-    for rows in _parts(count):
-        data = singles.rows(rows).eval(solver.wi, solver.wo)
-        fit = solver.fit(np.broadcast_to(data, (rows.stop - rows.start, len(solver.wi), solver.channels)), starts)
-        good = (fit.status == TexelStatus.CONVERGED) | (fit.status == TexelStatus.MAX_ITERATIONS)
-        raw[rows] = np.where(good[:, None], fit.x, np.nan)
+
+    def told(done: int) -> None:
         if progress is not None:
-            progress(rows.stop, count, "texels")
-    found: Bools = np.asarray(np.isfinite(raw).all(axis=1))
-    all_of_them = surface.admissible(_named(parse(text).model, solver, raw))
-    nothing = np.full((2, count), np.nan)
-    result = TexelSurfaces(surface, text, all_of_them, found, nothing[0], nothing[1], ())
-    _count_errors(singles, result, exact)
-    return _compared(singles, result, known)
+            progress(done, count, "texels")
+
+    work = _Work(singles, surface, text, exact, list(known.values()), count)
+    nodes = np.unique(np.linspace(0, count - 1, NODES).astype(int)) if count <= NODES else _some(count)
+    work.solve(nodes, DENSE)
+    told(len(nodes))
+    if count > len(nodes):
+        work.between(nodes, told)
+    told(count)
+    return _compared(singles, work.result(), known)
+
+
+def _some(count: int) -> NDArray[np.int_]:
+    """Rows from all over, at random."""
+    return np.sort(np.random.default_rng(0).choice(count, NODES, replace=False))
+
+
+class _Work:
+    """The fits of all texels, in the making."""
+
+    def __init__(
+        self, singles: _Singles, surface: type[Surface], text: str, exact: list[BRDF], known: list[BRDF], count: int
+    ) -> None:
+        self.singles, self.surface, self.text = singles, surface, text
+        self.exact, self.known = exact, known
+        self.fits = 0
+        wi, wo, weights = pairs(*exact, lights=COUNTED[0], viewers=COUNTED[1], shift=ELSEWHERE)
+        self.counted_at = wi, wo, weights
+        self.solver, self.starts = _solver(text, exact, known, FITTED)
+        self.raw = np.full((count, self.solver.size), np.nan)
+        self.off = np.full((2, count), np.nan)
+
+    def solve(self, rows: NDArray[np.int_], directions: tuple[int, int]) -> None:
+        """Fit some texels; one that planes gave something stays as it is where the fit is no nearer."""
+        solver = self.solver if directions == FITTED else _solver(self.text, self.exact, self.known, directions)[0]
+        for part in _parts(rows, len(solver.wi) * solver.channels):
+            values = np.broadcast_to(
+                self.singles.rows(part).eval(solver.wi, solver.wo), (len(part), len(solver.wi), solver.channels)
+            )
+            fit = solver.fit(values, self.starts)
+            good = (fit.status == TexelStatus.CONVERGED) | (fit.status == TexelStatus.MAX_ITERATIONS)
+            new = np.where(good[:, None], fit.x, np.nan)
+            off = self.count(part, new)
+            nearer = ~(off[0] >= self.off[0, part])  # where there was nothing, too
+            self.raw[part[nearer]], self.off[:, part[nearer]] = new[nearer], off[:, nearer]
+        self.fits += len(rows)
+
+    def between(self, nodes: NDArray[np.int_], told: Callable[[int], None]) -> None:
+        """All texels that are no nodes: on planes, and where these are not near, fitted."""
+        points = _spread(self.singles.values)
+        good = nodes[np.isfinite(self.raw[nodes]).all(axis=1)]
+        rest = np.setdiff1d(np.arange(len(self.raw)), nodes)
+        if len(good) <= NEIGHBOURS:
+            return self.solve(rest, FITTED)
+        low, high = self.solver.bounds
+        step = max(1, len(rest) // 64)
+        for start in range(0, len(rest), step):
+            rows = rest[start : start + step]
+            found = between(points[rows], points[good], self.raw[good], self.off[0, good])
+            self.raw[rows] = np.clip(found.values, low, high)
+            for part in _parts(rows, len(self.counted_at[0]) * self.solver.channels):
+                self.off[:, part] = self.count(part, self.raw[part])
+            far = rows[self.off[0, rows] > FARTHER * found.known]
+            if len(far):
+                self.solve(far, FITTED)
+            told(len(nodes) + start + len(rows))
+        return None
+
+    def count(self, rows: NDArray[np.int_], raw: Floats) -> Floats:
+        """`seen` and the relative RMS of parameter vectors of some texels (2, N), at directions that no fit has seen."""
+        wi, wo, weights = self.counted_at
+        off = np.full((2, len(rows)), np.nan)
+        whole = np.flatnonzero(np.isfinite(raw).all(axis=1))
+        if len(whole):
+            found = self.named(raw[whole])
+            model = self.surface().with_parameters(for_directions(self.surface(), found, slice(None)))
+            wanted, got = (m.eval(wi, wo) for m in (self.singles.rows(rows[whole]), model))
+            off[:, whole] = seen(got, wanted, wi, wo, weights), relative_rms(got, wanted, wi, weights)
+        return off
+
+    def named(self, raw: Floats) -> dict[str, Floats]:
+        """Parameters as the program has them."""
+        return self.surface.admissible(_named(parse(self.text).model, self.solver, raw))
+
+    def result(self) -> TexelSurfaces:
+        found: Bools = np.asarray(np.isfinite(self.raw).all(axis=1))
+        values = self.named(self.raw)
+        return TexelSurfaces(self.surface, self.text, values, found, self.off[0], self.off[1], self.fits, ())
 
 
 class _Singles:
@@ -202,16 +292,22 @@ class _Singles:
 
 def _far_apart(values: Mapping[str, Floats], most: int) -> list[int]:
     """Rows that are far from each other in the cloud of parameters; the first is the nearest to its middle.  Fewer where texels are alike."""
-    table = np.column_stack([np.asarray(v, np.float64) for v in values.values()])
-    some = np.unique(np.linspace(0, len(table) - 1, min(len(table), AMONG)).astype(int))
-    low, high = np.quantile(table[some], (0.01, 0.99), axis=0)
-    points = np.clip((table[some] - low) / np.where(high > low, high - low, 1.0), -0.5, 1.5)
+    points = _spread(values)
+    some = np.unique(np.linspace(0, len(points) - 1, min(len(points), AMONG)).astype(int))
+    points = np.clip(points[some], -0.5, 1.5)
     chosen = [int(np.argmin(np.abs(points - np.median(points, axis=0)).sum(axis=1)))]
     distance = np.linalg.norm(points - points[chosen[0]], axis=1)
     while len(chosen) < most and distance.max() > 1e-3:
         chosen.append(int(np.argmax(distance)))
         distance = np.minimum(distance, np.linalg.norm(points - points[chosen[-1]], axis=1))
     return [int(some[k]) for k in chosen]
+
+
+def _spread(values: Mapping[str, Floats]) -> Floats:
+    """Parameters as points (N, P), nearly all of them within 0 and 1 along each axis."""
+    table = np.column_stack([np.asarray(v, np.float64) for v in values.values()])
+    low, high = np.quantile(table[:: max(1, len(table) // AMONG)], (0.01, 0.99), axis=0)
+    return np.asarray((table - low) / np.where(high > low, high - low, 1.0))
 
 
 def _chosen(
@@ -240,9 +336,9 @@ def _as_the_program(found: BRDF) -> Surface:
     return found.canonical()
 
 
-def _solver(text: str, exact: list[BRDF], known: list[BRDF]) -> tuple[TexelSolver, Floats]:
+def _solver(text: str, exact: list[BRDF], known: list[BRDF], directions: tuple[int, int]) -> tuple[TexelSolver, Floats]:
     """The batched solver, and where it begins (K, P)."""
-    wi, wo, weights = pairs(*exact, *GLINTS[1:], lights=FITTED[0], viewers=FITTED[1])
+    wi, wo, weights = pairs(*exact, *GLINTS[1:], lights=directions[0], viewers=directions[1])
     target, _ = parse(text)
     channels = max(model.channels for model in exact)
     strengths = coloured_strengths(exact[0], target)
@@ -256,7 +352,7 @@ def _solver(text: str, exact: list[BRDF], known: list[BRDF]) -> tuple[TexelSolve
     return solver, starts
 
 
-def _named(surface: BRDF, solver: TexelSolver, raw: NDArray[np.float32]) -> dict[str, Floats]:
+def _named(surface: BRDF, solver: TexelSolver, raw: Floats) -> dict[str, Floats]:
     """All parameters by name, colours with all channels."""
     found: dict[str, Floats] = {}
     for slot in surface.slots():
@@ -270,21 +366,10 @@ def _named(surface: BRDF, solver: TexelSolver, raw: NDArray[np.float32]) -> dict
     return found
 
 
-def _parts(count: int) -> list[slice]:
-    return [slice(k, min(k + TOGETHER, count)) for k in range(0, count, TOGETHER)]
-
-
-def _count_errors(singles: _Singles, result: TexelSurfaces, exact: list[BRDF]) -> None:
-    """The errors at directions that the fit has not seen, into the result."""
-    lights, viewers = COUNTED
-    wi, wo, weights = pairs(*exact, lights=lights, viewers=viewers, shift=ELSEWHERE)
-    for rows in _parts(len(result.found)):
-        good = np.flatnonzero(result.found[rows]) + rows.start
-        if not len(good):
-            continue
-        wanted, got = (m.eval(wi, wo) for m in (singles.rows(good), result.model(good)))
-        result.relative_rms[good] = relative_rms(got, wanted, wi, weights)
-        result.seen[good] = seen(got, wanted, wi, wo, weights)
+def _parts(rows: NDArray[np.int_], each: int) -> list[NDArray[np.int_]]:
+    """Rows in parts whose values, so many each, go into memory together."""
+    size = max(1, TOGETHER // each)
+    return [rows[k : k + size] for k in range(0, len(rows), size)]
 
 
 def _compared(singles: _Singles, result: TexelSurfaces, known: Mapping[int, BRDF]) -> TexelSurfaces:
