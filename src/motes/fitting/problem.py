@@ -16,12 +16,12 @@ from typing import Any, Self, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from motes import workers
 from motes.fitting.algebra import ARRAYS, Arrays
 from motes.fitting.arrowhead import Arrowhead
 from motes.fitting.channel_layout import ChannelLayout
 from motes.fitting.columns import Columns
 from motes.fitting.covariance import LEAST_REMAINDER
+from motes.fitting.data_passes import directions_last, in_passes
 from motes.fitting.losses import Floats, Loss, Robust
 from motes.fitting.objective import Objective
 from motes.fitting.quantities import Quantity, columns_for
@@ -88,8 +88,8 @@ class Problem(Objective):
             ("_function", function),
             ("_columns", tuple(column[:, 0] for column in function.geometry(self.wi, self.wo))),
             ("_cosines", cosines),
-            ("_targets", self.loss.transform(_directions_last(self.values), cosines)),
-            ("_roots", np.sqrt(_directions_last(self.weights))),
+            ("_targets", self.loss.transform(directions_last(self.values), cosines)),
+            ("_roots", np.sqrt(directions_last(self.weights))),
         ):
             object.__setattr__(self, name, value)
 
@@ -115,8 +115,8 @@ class Problem(Objective):
         if self.size <= CHANNELS:
             return ARRAYS
         own = [np.arange(q.where.start, q.where.stop) for q in self.quantities if q.per_channel]
-        shared = [q.where.start for q in self.quantities if not q.per_channel]
-        return Arrowhead(np.stack(own, axis=1), np.array(shared, np.intp)) if own else ARRAYS
+        shared = np.array([q.where.start for q in self.quantities if not q.per_channel], np.intp)
+        return Arrowhead(np.stack(own, axis=1), shared) if own else ARRAYS
 
     @property
     def groups(self) -> list[slice]:
@@ -167,7 +167,7 @@ class Problem(Objective):
 
     def weighing(self, weights: Floats) -> Self:
         """The same data with other weights (N, C), or with several, (T, N, C)."""
-        return self._with(weights=weights, _roots=np.sqrt(_directions_last(weights)))
+        return self._with(weights=weights, _roots=np.sqrt(directions_last(weights)))
 
     def some_channels(self, channels: NDArray[np.intp]) -> Self:
         """The problem at some of the channels."""
@@ -190,12 +190,8 @@ class Problem(Objective):
     def between_channels(self, part: Problem, x: Floats, channels: NDArray[np.intp]) -> Floats:
         """A parameter vector (P,) out of one of `some_channels`, linear between them."""
         everywhere = np.arange(self.channels)
-        return np.concatenate(
-            [
-                np.interp(everywhere, channels, x[own.where]) if own.per_channel else x[own.where]
-                for own in part.quantities
-            ]
-        )
+        parts = ((x[own.where], own.per_channel) for own in part.quantities)
+        return np.concatenate([np.interp(everywhere, channels, own) if each else own for own, each in parts])
 
     # ------------------------------------------------------------ evaluation
 
@@ -272,7 +268,7 @@ class Problem(Objective):
         return np.asarray(np.sum(parts, axis=0))
 
     def pull(self, x: Floats, sets: NDArray[np.intp] | None = None) -> Floats:
-        values = _directions_last(self.values)
+        values = directions_last(self.values)
         slopes = self.loss.slope(values, self._cosines)
         moved = np.where(self._roots > 0, self._roots * slopes * values * self.common, 0.0)
 
@@ -355,11 +351,8 @@ class Problem(Objective):
         """Weighted residuals (B, C, n) and their derivatives (B, C, n, K): per-channel parameters, then shared."""
         f, derivatives = self._function.values_and_jacobian(self._rows(rows), self._arguments(x))
         f = self._broadcast(f, rows, len(x))
-        roots, targets, cosines = (
-            self._data(self._roots, rows, sets),
-            self._data(self._targets, rows, sets),
-            self._cosines[rows],
-        )
+        roots, targets = (self._data(part, rows, sets) for part in (self._roots, self._targets))
+        cosines = self._cosines[rows]
         residual = roots * (self.loss.transform(f, cosines) - targets)
         slope = roots * self.loss.slope(f, cosines)  # (B, C, n) or (C, n)
         batch, channels, n = residual.shape
@@ -375,12 +368,10 @@ class Problem(Objective):
 
     def _arguments(self, x: Floats) -> dict[str, Floats | float]:
         given: dict[str, Floats | float] = {q.name: x[:, q.where, None] for q in self.quantities}
-        held = {k: v if np.ndim(v) == 0 else _directions_last(np.asarray(v)) for k, v in self.fixed.items()}
+        held = {k: v if np.ndim(v) == 0 else directions_last(np.asarray(v)) for k, v in self.fixed.items()}
         return given | held
 
     def _rows(self, rows: slice) -> tuple[Floats, ...]:
-        if rows.stop - rows.start == len(self.wi):
-            return self._columns
         return tuple(column[rows] if len(column) > 1 else column for column in self._columns)
 
     def _broadcast(self, f: Floats, rows: slice, batch: int = 1) -> Floats:
@@ -388,32 +379,12 @@ class Problem(Objective):
         return f if f.shape == shape else np.broadcast_to(f, shape)
 
     def _mapped(self, work: Callable[[slice], Part], batch: int) -> list[Part]:
-        """`work` on slices of the directions, in their order, on all processors when there is much to do."""
-        step = max(64, CHUNK // max(1, batch * self.channels))
-        if batch * self.channels * len(self.wi) >= CHUNK // 4:  # worth sharing; the same slices on any machine
-            step = min(step, -(-len(self.wi) // 4))
-        slices = [slice(k, min(k + step, len(self.wi))) for k in range(0, len(self.wi), step)]
-        if len(slices) < 4:
-            return [work(rows) for rows in slices]
-        results: dict[int, Part] = {}
-
-        def one(k: int, _: None) -> None:
-            results[k] = work(slices[k])
-
-        workers.spread(len(slices), one, lambda: None)
-        return [results[k] for k in range(len(slices))]
-
-    # ------------------------------------------------------------ layout
+        return in_passes(work, len(self.wi), batch * self.channels, CHUNK)
 
     @cached_property
     def layout(self) -> ChannelLayout:
         """Where what acts on a channel stands in the parameter vector."""
         return ChannelLayout(self.quantities, self.channels)
-
-
-def _directions_last(array: Floats) -> Floats:
-    """An array (..., N, C) as (..., C, N), in memory as well."""
-    return np.ascontiguousarray(np.swapaxes(array, -2, -1))
 
 
 def even_channels(used: NDArray[Any]) -> NDArray[np.intp] | None:

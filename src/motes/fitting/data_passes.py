@@ -1,0 +1,35 @@
+"""A pass over the data of a fit, in slices of the directions that stay in cache, on all processors where there is much to do."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TypeVar
+
+import numpy as np
+
+from motes import workers
+from motes.fitting.losses import Floats
+
+Part = TypeVar("Part")
+
+
+def in_passes(work: Callable[[slice], Part], directions: int, each: int, chunk: int) -> list[Part]:
+    """`work` on slices of the directions, in their order; `each` is the number of elements at one of them, `chunk` how many are worked on at a time."""
+    step = max(64, chunk // max(1, each))
+    if each * directions >= chunk // 4:  # worth sharing; the same slices on any machine
+        step = min(step, -(-directions // 4))
+    slices = [slice(k, min(k + step, directions)) for k in range(0, directions, step)]
+    if len(slices) < 4:
+        return [work(rows) for rows in slices]
+    results: dict[int, Part] = {}
+
+    def one(k: int, _: None) -> None:
+        results[k] = work(slices[k])
+
+    workers.spread(len(slices), one, lambda: None)
+    return [results[k] for k in range(len(slices))]
+
+
+def directions_last(array: Floats) -> Floats:
+    """An array (..., N, C) as (..., C, N), in memory as well."""
+    return np.ascontiguousarray(np.swapaxes(array, -2, -1))
