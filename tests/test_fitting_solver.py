@@ -202,3 +202,28 @@ def test_a_parameter_that_nothing_depends_on_does_not_block_the_others() -> None
     end = minimize(normal, np.array([[0.1, 0.16]]), np.array([-9.0, 0.005]), np.array([9.0, 1.5]), brightness=30.0)
     assert end.status[0].ok
     np.testing.assert_allclose(end.x[0], [slope, 0.16], rtol=1e-6)
+
+
+def test_a_last_step_that_leads_uphill_is_not_kept() -> None:
+    """A step along what the data hardly see promises next to nothing, and ends a fit without a look at where it leads: here into a wall."""
+    slope, left = 1e-6, 1e-5
+
+    def normal(points):
+        a, b = points[:, 0], points[:, 1]
+        residual = np.stack([a - 1, left + slope * (b - 1) + 5 * np.minimum(b, 0), np.ones_like(a)], axis=-1)
+        none = np.zeros_like(a)
+        by_a = np.stack([none + 1, none, none], axis=-1)
+        by_b = np.stack([none, slope + 5 * (b < 0), none], axis=-1)
+        jacobian = np.stack([by_a, by_b], axis=-1)
+        return Normal(
+            0.5 * np.sum(residual**2, axis=1),
+            np.einsum("bn,bnk->bk", residual, jacobian),
+            np.einsum("bnk,bnl->bkl", jacobian, jacobian),
+        )
+
+    end = minimize(normal, np.array([[1.0, 1.0]]), *free(2))
+    assert end.status[0].ok
+    assert normal(end.x).objective[0] > 1e3  # where the last step leads
+    np.testing.assert_allclose(end.best_point(normal), [1, 1])
+    steep = minimize(normal, np.array([[0.2, 1.0]]), *free(2))
+    np.testing.assert_array_equal(steep.best_point(normal), steep.x[0])

@@ -204,7 +204,7 @@ def _fitted(problem: Problem, lanes: Floats, slow: bool = False) -> tuple[Floats
         lanes = rough.x[np.argsort(rough.normal.objective, kind="stable")[:kept]]
     ends = problem.solve(lanes, max_iterations=STEPS, reduction=REDUCTION)
     best = ends.best()
-    return at_rest(problem, ends.x[best]), float(ends.normal.objective[best]), ends.status[best]
+    return at_rest(problem, ends.best_point(problem.normal)), float(ends.normal.objective[best]), ends.status[best]
 
 
 def _folds(problem: Problem, blocks: Labels) -> list[Floats]:

@@ -140,7 +140,7 @@ def _result(
     started: float,
     say: Progress,
 ) -> TimeFit:
-    brdf, c = setup.brdf, at_rest(joint, solution.x[0])
+    brdf, c = setup.brdf, at_rest(joint, solution.best_point(joint.normal))
     bars, errors, _ = estimated(joint, c, wishes.errors, data.provenance, setup.factor is not None, say)
     covariance = errors.covariance
     hours = np.asarray(data.times, float)

@@ -18,6 +18,8 @@ from motes.fitting.levenberg import At, Box, Damping, Precision
 from motes.fitting.losses import Floats
 from motes.fitting.verdicts import Status
 
+#: A last step that raises the objective by more than this share of it was none.
+UPHILL = 1e-6
 #: Which of the fits that still run to give up, from their parameters (R, P), objectives (R,) and iterations (R,).
 Spare = Callable[[Floats, Floats, NDArray[np.int64]], NDArray[np.bool_]]
 
@@ -34,10 +36,11 @@ class Normal(NamedTuple):
 class Solution:
     """Where each start ended: parameters (B, P), the normal equations there, why, and after how many iterations.
 
-    The normal equations are those of the point before the last step, which promised next to nothing.
+    The normal equations are those of the point before the last step, `seen`, which promised next to nothing.
     """
 
     x: Floats
+    seen: Floats
     normal: Normal
     status: list[Status]
     iterations: NDArray[np.int64]
@@ -45,6 +48,13 @@ class Solution:
     def best(self) -> int:
         """The start with the smallest objective."""
         return int(np.argmin(self.normal.objective))
+
+    def best_point(self, normal: Callable[[Floats], Normal]) -> Floats:
+        """Where that start ended (P,); before its last step where that led uphill: along what the data hardly see it may be long."""
+        k = self.best()
+        uphill = normal(self.x[k : k + 1]).objective[0] > self.normal.objective[k] * (1 + UPHILL)
+        point: Floats = self.seen[k] if uphill else self.x[k]
+        return point
 
 
 def minimize(
@@ -93,7 +103,7 @@ def minimize(
     def at_rows(points: Floats, rows: NDArray[np.intp]) -> Normal:
         return normal(points) if sets is None else normal(points, sets[rows])
 
-    found = Normal(*(np.array(part) for part in at_rows(x, np.arange(batch))))
+    found, seen = Normal(*(np.array(part) for part in at_rows(x, np.arange(batch)))), x.copy()
     endings, iterations = np.zeros(batch, np.intp), np.zeros(batch, np.int64)
     first = levenberg.FIRST_DAMPING, levenberg.FIRST_GROWTH, 0.0
     running = np.arange(batch)
@@ -103,7 +113,7 @@ def minimize(
     def end(which: NDArray[np.bool_]) -> _Lanes:
         """Put down where some of the lanes are, and go on with the others."""
         rows = running[which]
-        x[rows] = lanes.x[which]
+        x[rows] = seen[rows] = lanes.x[which]
         found.objective[rows], found.gradient[rows], found.matrix[rows] = (
             part[which] for part in (lanes.objective, lanes.gradient, lanes.matrix)
         )
@@ -132,8 +142,9 @@ def minimize(
             ended = proposed.ending > 0
             if ended.any():
                 endings[running[ended]] = proposed.ending[ended].astype(np.intp)
-                lanes = lanes._replace(x=np.where(ended[:, None], moved, lanes.x))
+                last, steps = running[ended], moved[ended]
                 lanes, running, moved, promised = end(ended), running[~ended], moved[~ended], promised[~ended]
+                x[last] = steps
                 if not len(running):
                     break
             iterations[running] += 1
@@ -149,7 +160,7 @@ def minimize(
                 ]
             lanes = _Lanes(taken[0], taken[1], taken[2], taken[3], verdict.damping, lanes.fixed, lanes.bright)
         end(np.ones(len(running), bool))
-    return Solution(x, found, [levenberg.ENDINGS[code] for code in endings], iterations)
+    return Solution(x, seen, found, [levenberg.ENDINGS[code] for code in endings], iterations)
 
 
 class _Lanes(NamedTuple):

@@ -113,7 +113,7 @@ class _Attempt:
             near = None  # of other channels
         self.below = below if near is not None else (*below, *self._base())
         self.solution = self._solve(self._vector(start) if start else None, near)
-        self.x = at_rest(self.problem, self.solution.x[self.solution.best()])
+        self.x = at_rest(self.problem, self.solution.best_point(self.problem.normal))
         self.objective = float(self.solution.normal.objective.min())
         bright = float(self.problem.brightness().sum())
         self.bic = bic(self.objective, self.problem.samples, self.problem.size, bright)
