@@ -255,18 +255,17 @@ def test_an_invalid_document_is_found(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_generated_osl_compiles_and_is_right(tmp_path: Path) -> None:
+def test_generated_osl_compiles_and_is_right(blender: str, tmp_path: Path) -> None:
     """In Blender; see test_exports_osl."""
-    from test_exports_osl import blender, value_in_blender
+    from test_exports_osl import value_in_blender
 
-    python = blender()
     mx = pytest.importorskip("MaterialX")
     text = generated(written(MODELS["dusty"], tmp_path), "Osl", "motes_rock_value")
     (tmp_path / "value.osl").write_text(text, encoding="utf-8")
     include = Path(mx.__file__).parent / "libraries" / "stdlib" / "genosl" / "include"
     for file in include.glob("*.h"):
         shutil.copy(file, tmp_path)
-    value_in_blender(python, tmp_path / "value.osl", MODELS["dusty"], "dusty", "out", "light,view")
+    value_in_blender(blender, tmp_path / "value.osl", MODELS["dusty"], "dusty", "out", "light,view")
 
 
 def test_identifiers() -> None:

