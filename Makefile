@@ -32,14 +32,15 @@ LOWEST_TESTS := $(patsubst %,tests/test_%.py,models equations fitting_solver gra
 demo: $(VENV)/.installed-all
 	$(BIN)/motes demo -o out/demo
 
-# The tests run also where lint complains, and say their result last.  A test that fails runs once more, so that a
+# Lint runs beside the tests, which run also where it complains, and say their result last.  A test that fails runs once more, so that a
 # browser or a killed process that was late on a busy machine is no failure; the summary names each such test (RERUN).
 test: $(VENV)/.installed-dev
 	@command -v chromium google-chrome > /dev/null && command -v node > /dev/null && test -d viewer/node_modules \
 	  || echo "without chromium, node or viewer/node_modules (npm ci) the viewer's tests in a browser are skipped, by name"
-	@$(MAKE) --no-print-directory lint; lint=$$?; \
+	@log=$$(mktemp); { $(MAKE) --no-print-directory lint > $$log 2>&1; } & lint=$$!; \
 	$(BIN)/python -m pytest -n $(JOBS) --dist worksteal --reruns 1 -rR; tests=$$?; \
-	test $$lint -eq 0 || echo "lint failed, see above"; \
+	wait $$lint; lint=$$?; \
+	test $$lint -eq 0 || { cat $$log; echo "lint failed, see above"; }; rm -f $$log; \
 	exit $$((lint | tests))
 
 lint: $(VENV)/.installed-dev

@@ -99,8 +99,11 @@ def test_make_demo_and_test_install_first(tmp_path: Path) -> None:
     assert any("--editable '.[all]'" in line for line in demo)
     test = make("-n", "test", f"VENV={tmp_path}/v").stdout
     assert "--editable '.[dev]'" in test
-    for check in ("ruff check", "ruff format --check", "mypy", "lint-imports", "tools/rooms.py", "pytest -n 2"):
-        assert check in test
+    assert "pytest -n 2" in test
+    assert "--no-print-directory lint" in test
+    lint = make("-n", "lint", f"VENV={tmp_path}/v").stdout
+    for check in ("ruff check", "ruff format --check", "mypy", "lint-imports", "tools/rooms.py"):
+        assert check in lint
 
 
 @needs_make
