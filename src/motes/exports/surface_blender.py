@@ -26,14 +26,8 @@ SOCKETS = {
 #: Frames from one moment to the next of the material that changes.
 STEP = 24
 
-BODY = '''
-import bpy
-
-MATERIALS = {materials}
-CHANGING = {changing}
-
-
-def principled(name):
+#: How scripts make the node that they fill.
+PRINCIPLED = '''def principled(name):
     """The node of a material of that name, which is made where there is none."""
     material = bpy.data.materials.get(name) or bpy.data.materials.new(name)
     if bpy.app.version < (5, 0):  # later all materials have nodes
@@ -44,7 +38,19 @@ def principled(name):
     node.location = (-300, 0)
     links.new(node.outputs["BSDF"], end.inputs["Surface"])
     return node
+'''
 
+BODY = (
+    """
+import bpy
+
+MATERIALS = {materials}
+CHANGING = {changing}
+
+
+"""
+    + PRINCIPLED
+    + '''
 
 def give(node, values, frame=None):
     """Set the sockets; at a frame, key them."""
@@ -61,6 +67,7 @@ if CHANGING:
     for k, values in enumerate(MATERIALS.values()):
         give(node, values, 1 + {step} * k)
 '''
+)
 
 
 def script(fits: Sequence[SurfaceFit]) -> str:

@@ -7,7 +7,7 @@ import xml.etree.ElementTree as ElementTree
 from collections.abc import Sequence
 
 from motes.exports.materialx import VERSION
-from motes.exports.surface_blender import SOCKETS
+from motes.exports.surface_blender import PRINCIPLED, SOCKETS
 from motes.exports.surface_files import NODES, rounded
 from motes.exports.texture_sets import TextureSet
 from motes.models import Surface
@@ -15,7 +15,8 @@ from motes.models import Surface
 #: The input for normals of each node.
 NORMALS = {"open_pbr_surface": "geometry_normal", "standard_surface": "normal"}
 
-BODY = '''
+BODY = (
+    '''
 from pathlib import Path
 
 import bpy
@@ -30,17 +31,9 @@ def folder():
     return Path(path).resolve().parent
 
 
-def principled(name):
-    """The node of a material of that name, which is made where there is none."""
-    material = bpy.data.materials.get(name) or bpy.data.materials.new(name)
-    material.use_nodes = True
-    nodes, links = material.node_tree.nodes, material.node_tree.links
-    nodes.clear()
-    node, end = nodes.new("ShaderNodeBsdfPrincipled"), nodes.new("ShaderNodeOutputMaterial")
-    node.location = (-300, 0)
-    links.new(node.outputs["BSDF"], end.inputs["Surface"])
-    return node, nodes, links
-
+'''
+    + PRINCIPLED
+    + '''
 
 def picture(nodes, file, colour):
     """A node of a picture; colours are of sRGB where it is a PNG, all else is numbers."""
@@ -52,7 +45,8 @@ def picture(nodes, file, colour):
 
 
 for name, (values, pictures, normal) in MATERIALS.items():
-    node, nodes, links = principled(name)
+    node = principled(name)
+    nodes, links = node.id_data.nodes, node.id_data.links
     for socket, value in values.items():
         node.inputs[socket].default_value = (*value, 1.0) if isinstance(value, list) else value
     for k, (socket, (file, colour)) in enumerate(pictures.items()):
@@ -65,6 +59,7 @@ for name, (values, pictures, normal) in MATERIALS.items():
         links.new(source.outputs["Color"], turn.inputs["Color"])
         links.new(turn.outputs["Normal"], node.inputs["Normal"])
 '''
+)
 
 
 def materialx(sets: Sequence[TextureSet], kind: type[Surface], head: Sequence[str], normal: str | None) -> str:
