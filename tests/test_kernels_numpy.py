@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
 from catalogue import ENTRIES, SPECIAL_WI, SPECIAL_WO, Entry, reference, upper_directions
 from motes.kernels.numpy import residual_function
-from motes.models import BRDF, DustLayer, Lambert, OrenNayar, TorranceSparrow
+from motes.kernels.parameters_alone import FEW, Alone, Results, found
+from motes.models import BRDF, CoatedDiffuse, DustLayer, Lambert, OrenNayar, TorranceSparrow
 
 entries = pytest.mark.parametrize("entry", ENTRIES, ids=str)
 WI = np.concatenate([upper_directions(40, 3), SPECIAL_WI])
@@ -69,6 +74,56 @@ def test_many_sets_at_once_are_each_on_its_own() -> None:
         np.testing.assert_array_equal(f[k], f_k[0])
         for name in jacobian:
             np.testing.assert_array_equal(jacobian[name][k], jacobian_k[name][0])
+
+
+@entries
+def test_few_sets_and_many_give_the_same_to_the_last_digit(entry: Entry) -> None:
+    model, few = entry.model, 2
+    names = [slot.name for slot in model.slots()]
+    coloured = [name for name, value in stacked(model).items() if value.size > 1]
+    function = residual_function(model, names, per_channel=coloured)
+    geometry = function.geometry(WI, WO)
+    shades = np.linspace(1, 0.97, 3 * FEW)[:, None, None]
+    many = {name: np.repeat(value, 3 * FEW, axis=0) * shades for name, value in stacked(model).items()}
+    f, jacobian = function.values_and_jacobian(geometry, many)
+    g, slopes = function.values_and_jacobian(geometry, {name: value[:few] for name, value in many.items()})
+    np.testing.assert_array_equal(f[:few], g)
+    for name in names:
+        slope = np.broadcast_to(jacobian[name], (3 * FEW, *f.shape[1:]))
+        np.testing.assert_array_equal(slope[:few], np.broadcast_to(slopes[name], g.shape))
+        assert jacobian[name].shape[1:] == slopes[name].shape[1:], name
+
+
+def test_what_depends_on_parameters_alone_is_worked_out_in_numbers_for_a_few_sets() -> None:
+    """Over arrays NumPy stops at each of thousands of operations for half a microsecond."""
+    model = DustLayer(CoatedDiffuse((0.5, 0.4, 0.3)), scattering="multiple")
+    function = residual_function(model, ["tau"], per_channel=["rho", "w"])
+    counted = Counter[str]()
+
+    def counting(kind: str, call: Callable[..., tuple[float, ...]]) -> Callable[..., tuple[float, ...]]:
+        return lambda *given: (counted.update([kind]), call(*given))[1]
+
+    counters = tuple(
+        replace(one, over_arrays=counting("array", one.over_arrays), over_numbers=counting("number", one.over_numbers))
+        for one in function._values.alone
+    )
+    assert [one.takes for one in counters] == [("n", "g", "tau"), ("rho", "w", "g", "tau")]
+    function = replace(function, _values=replace(function._values, alone=counters))
+    geometry = function.geometry(WI, WO)
+    function.values(geometry, stacked(model, FEW // 3))
+    assert counted == {"number": FEW // 3 + FEW}
+    counted.clear()
+    function.values(geometry, stacked(model, FEW // 3 + 1))
+    assert counted == {"number": FEW // 3 + 1, "array": 1}
+
+
+def test_a_division_by_zero_is_left_to_numpy() -> None:
+    """What `where` leaves out may divide by zero, which Python refuses."""
+    inverse = Alone(("x",), lambda before, x: (np.where(x > 0, 1 / x, 0.0),), lambda before, x: (1 / x,))
+    with np.errstate(all="ignore"):
+        results = found(inverse, [np.array([2.0, 0.0])], Results())
+    np.testing.assert_array_equal(results.arrays[0], [0.5, 0.0])
+    assert found(inverse, [np.array([2.0, 4.0])], Results()).rows == [(0.5,), (0.25,)]
 
 
 def test_any_order_of_axes_that_broadcasts_will_do() -> None:

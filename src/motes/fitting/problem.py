@@ -82,7 +82,10 @@ class Problem(Objective):
 
     def __post_init__(self) -> None:
         squared = [q.name for q in self.quantities if q.parameter.squared]
-        function = residual_function(self.model, [q.name for q in self.quantities], horizon=False, squared=squared)
+        own = [q.name for q in self.quantities if q.per_channel and self.channels > 1]
+        own += [name for name, value in self.fixed.items() if np.size(value) > 1]
+        fitted = [q.name for q in self.quantities]
+        function = residual_function(self.model, fitted, horizon=False, squared=squared, per_channel=own)
         cosines = np.ascontiguousarray(self.wi[:, 2])
         for name, value in (
             ("_function", function),

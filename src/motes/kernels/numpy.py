@@ -1,8 +1,9 @@
 """Printing a graph as straight-line NumPy, and the functions that fits call: values and derivatives of a model.
 
 A fit evaluates one model at fixed directions for many parameter sets.  `residual_function` writes a module for that: what depends on the
-directions alone is computed once (``geometry``), what depends on parameters alone is computed at the shape of the parameters, and
-the rest broadcasts.  Derivatives are carried forward, since a derivative by a shared parameter keeps its smaller shape to the last step.
+directions alone is computed once (``geometry``), what depends on parameters alone is computed at the shape of the parameters
+(`motes.kernels.parameters_alone`), and the rest broadcasts.  Derivatives are carried forward, since a derivative by a shared parameter
+keeps its smaller shape to the last step.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from numpy.typing import NDArray
 
 from motes.graph import tracing
 from motes.graph.tracing import Symbol
+from motes.kernels.parameters_alone import NUMBERS, Alone, Results, found
 from motes.parameters import Parametrised
 from motes.printing.printer import ARITHMETIC, CALLED, Target, statements
 
@@ -34,6 +36,8 @@ NUMPY = Target(
 )
 #: Directions of which `FitFunction.geometry` is made at a time.
 BLOCK = 8192
+# The bit of parameters that each channel has for itself, where that is known; and from how many operations on parameters alone they are a function.
+_OF_CHANNELS, _WORTH_A_FUNCTION = 4, 32
 _HEADER = "from numpy import arcsin, cos, exp, expm1, log, log1p, maximum, minimum, sin, sqrt, where\n"
 
 
@@ -61,6 +65,21 @@ def compiled(source: str, title: str) -> dict[str, Any]:
 
 
 @dataclass(frozen=True)
+class _Formula:
+    """Generated functions that make one: what depends on parameters alone, at most twice, and the rest."""
+
+    alone: tuple[Alone, ...]
+    takes: tuple[str, ...]
+    rest: Callable[..., tuple[Any, ...]]
+
+    def __call__(self, geometry: Columns, parameters: Mapping[str, Any]) -> tuple[Any, ...]:
+        results = [Results()]
+        for alone in self.alone:
+            results.append(found(alone, [parameters[slot] for slot in alone.takes], results[-1]))
+        return self.rest(geometry, *(each.arrays for each in results[1:]), *(parameters[slot] for slot in self.takes))
+
+
+@dataclass(frozen=True)
 class FitFunction:
     """A model at fixed directions as a function of its parameters; see `residual_function`.
 
@@ -78,8 +97,8 @@ class FitFunction:
     fitted: tuple[str, ...]
     source: str
     _geometry: Callable[..., Columns]
-    _values: Callable[..., tuple[Any]]
-    _both: Callable[..., tuple[Any, ...]]
+    _values: _Formula
+    _both: _Formula
 
     def geometry(self, wi: NDArray[Any], wo: NDArray[Any]) -> Columns:
         """Everything that depends on the directions ``wi, wo`` (N, 3) alone: float64 arrays (N, 1)."""
@@ -119,12 +138,12 @@ class FitFunction:
         array, the shape that the inputs broadcast to
         """
         with np.errstate(all="ignore"):
-            return self._values(geometry, *(parameters[slot] for slot in self.slots))[0]
+            return self._values(geometry, parameters)[0]
 
     def values_and_jacobian(self, geometry: Columns, parameters: Mapping[str, Any]) -> tuple[Any, dict[str, Any]]:
         """As `values`, and the derivative by each of `fitted`, in whatever smaller shape it has: (B, N, 1) for K_s, for example."""
         with np.errstate(all="ignore"):
-            f, *derivatives = self._both(geometry, *(parameters[slot] for slot in self.slots))
+            f, *derivatives = self._both(geometry, parameters)
         return f, dict(zip(self.fitted, derivatives, strict=True))
 
 
@@ -132,7 +151,12 @@ _functions: dict[tuple[Any, ...], FitFunction] = {}
 
 
 def residual_function(
-    model: Parametrised, fitted: Sequence[str], *, horizon: bool = True, squared: Sequence[str] = ()
+    model: Parametrised,
+    fitted: Sequence[str],
+    *,
+    horizon: bool = True,
+    squared: Sequence[str] = (),
+    per_channel: Sequence[str] = (),
 ) -> FitFunction:
     """Values and derivatives of `model` as functions of its parameters; made once for each kind of model and set of names.
 
@@ -146,14 +170,17 @@ def residual_function(
         False when no direction is at or below the horizon: the function then does not look.
     squared
         Slots that are given as their square; see `motes.graph.tracing.trace`.
+    per_channel
+        Slots that will be given for each channel: what the others alone tell is then computed once for all channels.
     """
-    key = (tracing.structure(model), tuple(fitted), horizon, tuple(squared))
+    key = (tracing.structure(model), tuple(fitted), horizon, tuple(squared), tuple(per_channel))
     if key not in _functions:
-        _functions[key] = _generate(tracing.trace(model, 1, horizon=horizon, squared=squared), tuple(fitted))
+        trace = tracing.trace(model, 1, horizon=horizon, squared=squared)
+        _functions[key] = _generate(trace, tuple(fitted), frozenset(per_channel))
     return _functions[key]
 
 
-def _generate(trace: tracing.Trace, fitted: tuple[str, ...]) -> FitFunction:
+def _generate(trace: tracing.Trace, fitted: tuple[str, ...], per_channel: frozenset[str]) -> FitFunction:
     (output,) = trace.outputs
     leaves = {p.slot: p.symbol for p in trace.parameters}
     unknown = [name for name in fitted if name not in leaves]
@@ -162,18 +189,64 @@ def _generate(trace: tracing.Trace, fitted: tuple[str, ...]) -> FitFunction:
     (tangents,) = tracing.forward([output], [leaves[name] for name in fitted])
     both = [output, *(tangents.get(leaves[name], trace.graph.constant(0.0)) for name in fitted)]
 
-    bits = tracing.dependence(both, trace.leaves())
-    columns = tracing.frontier(both, bits, tracing.DIRECTIONS)
+    columns = tracing.frontier(both, tracing.dependence(both, trace.leaves()), tracing.DIRECTIONS)
     axes = ["ix", "iy", "iz", "ox", "oy", "oz"]
     body, results = statements(NUMPY, columns, dict(zip(trace.directions, axes, strict=True)))
-    source = [_HEADER, function("geometry", axes, body, results)]
-    arguments = {slot: f"{slot}_" if keyword.iskeyword(slot) else slot for slot in leaves}
-    given = {leaves[slot]: text for slot, text in arguments.items()}
-    given |= {column: f"g{k}" for k, column in enumerate(columns)}
-    for name, outputs in (("values", [output]), ("values_and_jacobian", both)):
-        body, results = statements(NUMPY, outputs, given)
-        unpack = [f"{''.join(f'g{k}, ' for k in range(len(columns)))}= geometry"] if columns else []
-        source.append(function(name, ["geometry", *arguments.values()], [*unpack, *body], results))
-    text = "\n\n".join(source)
-    names = compiled(text, "fit function")
-    return FitFunction(tuple(leaves), fitted, text, names["geometry"], names["values"], names["values_and_jacobian"])
+    writer = _Writer(trace, columns, per_channel)
+    geometry = writer.compiled(function("geometry", axes, body, results), "geometry")
+    formulas = writer.formula("values", [output]), writer.formula("values_and_jacobian", both)
+    return FitFunction(tuple(leaves), fitted, "\n\n".join([_HEADER, *writer.source]), geometry, *formulas)
+
+
+class _Writer:
+    """Writes the functions of the formulas of a model."""
+
+    def __init__(self, trace: tracing.Trace, columns: Sequence[Symbol], per_channel: frozenset[str]) -> None:
+        self.columns = {column: f"g{k}" for k, column in enumerate(columns)}
+        self.slots = {p.symbol: p.slot for p in trace.parameters}
+        self.leaves = trace.leaves() | {s: _OF_CHANNELS for s, slot in self.slots.items() if slot in per_channel}
+        self.source: list[str] = []
+
+    def compiled(self, text: str, name: str) -> Callable[..., Any]:
+        """A function as it works on arrays."""
+        self.source.append(text)
+        made: Callable[..., Any] = compiled(f"{_HEADER}\n\n{text}", "fit function")[name]
+        return made
+
+    def formula(self, name: str, outputs: Sequence[Symbol]) -> _Formula:
+        """The functions for some outputs."""
+        bits = tracing.dependence(outputs, self.leaves)
+        before: dict[str, dict[Symbol, str]] = {}
+        alone = []
+        for stage, inside, by in (
+            ("_shared", tracing.PARAMETERS, tracing.PARAMETERS),
+            ("_own", tracing.PARAMETERS | _OF_CHANNELS, _OF_CHANNELS),
+        ):
+            known = {symbol for names in before.values() for symbol in names}
+            wanted = [s for s in tracing.frontier(outputs, bits, inside) if s.args and bits[s] & by and s not in known]
+            if sum(bool(s.args) and s not in known for s in tracing.live(wanted, known)) < _WORTH_A_FUNCTION:
+                continue
+            text, takes = self._function(f"{name}{stage}", wanted, before or {"_shared": {}})
+            code = compile(text, "<motes: parameters alone>", "exec")
+            numbers = NUMBERS.copy()
+            exec(code, numbers)
+            over_numbers, mixed = numbers[f"{name}{stage}"], by == _OF_CHANNELS
+            alone.append(Alone(takes, self.compiled(text, f"{name}{stage}"), over_numbers, mixed))
+            before[stage] = {symbol: f"{stage}{k}" for k, symbol in enumerate(wanted)}
+        text, takes = self._function(name, outputs, {"geometry": self.columns} | before)
+        return _Formula(tuple(alone), takes, self.compiled(text, name))
+
+    def _function(
+        self, name: str, outputs: Sequence[Symbol], before: Mapping[str, Mapping[Symbol, str]]
+    ) -> tuple[str, tuple[str, ...]]:
+        """The text of a function that takes tuples of what was computed `before`, and parameters; the slots of these."""
+        given = {symbol: text for names in before.values() for symbol, text in names.items()}
+        needed = set(tracing.live(outputs, given))
+        takes = tuple(slot for symbol, slot in self.slots.items() if symbol in needed)
+        texts = {symbol: f"{slot}_" if keyword.iskeyword(slot) else slot for symbol, slot in self.slots.items()}
+        body, results = statements(NUMPY, outputs, texts | given)
+        unpacked = [
+            f"{''.join(f'{text}, ' for text in names.values())}= {which}" for which, names in before.items() if names
+        ]
+        arguments = [*before, *(texts[symbol] for symbol, slot in self.slots.items() if slot in takes)]
+        return function(name, arguments, [*unpacked, *body], results), takes
