@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import base64
 import json
 import math
+import re
+import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -184,7 +187,10 @@ def test_view(tmp_path: Path) -> None:
     view.save(page)
     text = page.read_text(encoding="utf-8")
     assert "uniform float motes_alpha" in text
-    assert "newcomer_eval_with(" in text  # the library of pieces has it, for materials that are dropped
+    found = re.search(r'"library":"([^"]+)"', text)
+    assert found
+    # The library of pieces has it, for materials that are dropped.
+    assert b"newcomer_eval_with(" in zlib.decompress(base64.b64decode(found[1]))
 
 
 @pytest.mark.slow

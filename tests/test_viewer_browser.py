@@ -152,7 +152,7 @@ def test_while_things_move_the_canvas_is_small_and_at_rest_it_is_whole(chrome: A
     with Viewed(chrome, view(ROCK).save(folder / "moving.html")) as viewed:
         viewed.settled().wait("app.picture.frame > 0")
         sizes = viewed.js(
-            "(() => { app.picture.adapt = () => {}; app.picture.coarseness = 4; app.picture.budget = 1e9;"
+            "(() => { app.picture.pace.follow = () => {}; app.picture.pace.coarseness = 4; app.picture.pace.budget = 1e9;"
             "const sizes = []; const draw = () => { app.picture.draw(app.store.state, app.pair.shownValues(app.store.state));"
             "sizes.push([app.canvas.width, app.canvas.height]); };"
             "draw(); app.picture.restart(); draw(); app.picture.movedAt = 1e12; draw(); app.picture.movedAt = -1e9; draw();"
@@ -161,6 +161,14 @@ def test_while_things_move_the_canvas_is_small_and_at_rest_it_is_whole(chrome: A
         (before, moving, paused, after), whole = sizes
         assert before == after == whole
         assert moving == paused == [-(-side // 4) for side in whole]
+        # No text beside the picture is set anew, laid out and painted, when the camera or the lamp turns.
+        changed = viewed.js(
+            "new Promise((done) => { const seen = []; const watch = new MutationObserver((list) => seen.push(...list.map((m) => m.target.className)));"
+            "app.picture.draw = () => {}; watch.observe(document.querySelector('.motes-panel'), { subtree: true, childList: true, characterData: true });"
+            "watch.observe(document.querySelector('.motes-head'), { subtree: true, childList: true, characterData: true });"
+            "app.store.change({ azimuth: 31, lampAzimuth: 40 }); requestAnimationFrame(() => requestAnimationFrame(() => done(seen))); })"
+        )
+        assert changed == []
 
 
 def test_what_parameters_alone_need_is_tabulated_over_the_dust_that_lies_there(chrome: Any, folder: Path) -> None:

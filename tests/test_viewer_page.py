@@ -40,7 +40,7 @@ def data_of(text: str) -> dict:
 def test_the_page_holds_everything_and_forbids_the_rest(tmp_path: Path) -> None:
     file = motes.view(ROCK).save(tmp_path / "page.html")
     text = file.read_text(encoding="utf-8")
-    assert file.stat().st_size <= 1.6e6
+    assert file.stat().st_size <= 1.5e6
     script, style = ((STATIC / name).read_text(encoding="utf-8") for name in ("viewer.js", "viewer.css"))
     rules = re.search(r'Content-Security-Policy" content="([^"]*)"', text)[1].replace("&#x27;", "'")
     assert rules == policy(script, style)

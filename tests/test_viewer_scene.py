@@ -102,6 +102,47 @@ def test_the_ground_lacks_what_the_shape_keeps_from_it(chrome: Any, dusty: Path)
         assert (viewed.complete().pixels()[-10:, :, 3] == 0).all()
 
 
+SEEN = """(() => {
+  const { picture, store, pair } = app;
+  return x.map((changes) => {
+    store.change(changes);
+    const { renderer, camera, surface } = picture;
+    picture.resize(60, 47, 1);
+    picture.shade(store.state, pair.shownValues(store.state), 60, 47, 1);
+    const pixels = new Float32Array(4 * 60 * 47);
+    renderer.readRenderTargetPixels(surface.target, 0, 0, 60, 47, pixels);
+    const lit = new Float32Array(4 * 60 * 47);
+    renderer.readRenderTargetPixels(picture.sample, 0, 0, 60, 47, lit);
+    const bounds = picture.parts(store.state, 60).map((part) => surface.bounds(camera, 47, part));
+    return { bounds, distance: Array.from(pixels).filter((_, k) => k % 4 === 2), alpha: Array.from(lit).filter((_, k) => k % 4 === 3) };
+  });
+})()"""
+
+
+def test_light_is_computed_where_the_mesh_is_seen(chrome: Any, dusty: Path) -> None:
+    """Each pixel of the mesh, from afar, from near, from below, of two materials: all lit, and all within the bounds that are computed."""
+    common = {"ground": False, "backdrop": False, "lobe": False}
+    looks = [
+        {"shape": "sphere", "compare": "one"},
+        {"shape": "bunny", "elevation": -60, "azimuth": 70},
+        {"shape": "teapot", "distance": 2.2, "elevation": 10},
+        {"shape": "sphere", "compare": "side", "distance": 5.0},
+        {"compare": "split", "split": 0.3},
+    ]
+    with Viewed(chrome, dusty) as viewed:
+        viewed.settled()
+        for number, found in enumerate(viewed.js(SEEN, [common | look for look in looks])):
+            seen = np.array(found["distance"]).reshape(47, 60) > 0
+            assert seen.mean() > 0.1
+            np.testing.assert_array_equal(np.array(found["alpha"]).reshape(47, 60) == 1, seen)
+            inside = np.zeros((47, 60), bool)
+            for left, right, low, high in found["bounds"]:
+                inside[low:high, left:right] = True
+            assert not (seen & ~inside).any()
+            # Of a sphere not much more than the square around it.
+            assert number in (1, 2) or inside.mean() < 1.5 * seen.mean()
+
+
 def test_a_sky_of_ones_own(chrome: Any, dusty: Path, tmp_path: Path) -> None:
     """The same panorama as Radiance HDR and as OpenEXR: top, bottom and sides where they belong."""
     picture = panorama()

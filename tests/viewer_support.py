@@ -83,6 +83,7 @@ class Viewed:
         fragment: str = "",
         size: tuple[int, int] = SIZE,
         coarse: float = COARSE,
+        rest: float = 0.0,
         **options: Any,
     ) -> None:
         self.context = running.new_context(
@@ -97,6 +98,7 @@ class Viewed:
         self.page.on("console", lambda m: self.errors.append(m.text) if m.type in ("error", "warning") else None)
         self.page.on("pageerror", lambda e: self.errors.append(str(e)))
         self.page.on("request", lambda r: self._asked(r.url))
+        time.sleep(rest)  # a new browser builds its own window meanwhile, for seconds
         self.page.goto(file.resolve().as_uri() + fragment)
 
     def _asked(self, url: str) -> None:
@@ -124,7 +126,7 @@ class Viewed:
 
     def complete(self) -> Viewed:
         """Wait for the picture to be finished, in few large frames: what is drawn is the same, and the frames' own cost is saved."""
-        self.js("void (app.picture.batch = 64)")
+        self.js("void (app.picture.pace.batch = 64)")
         self.settled().wait("app.picture.complete && !app.plotsDue", "the finished picture")
         return self
 

@@ -88,7 +88,7 @@ def photograph() -> None:
             while not page.evaluate("document.querySelector('.motes').motes?.firstPicture > 0"):
                 time.sleep(0.1)
             # In few large frames: what is drawn is the same, and the frames' own cost is saved.
-            page.evaluate("void (document.querySelector('.motes').motes.picture.batch = 64)")
+            page.evaluate("void (document.querySelector('.motes').motes.picture.pace.batch = 64)")
             page.evaluate("(x) => document.querySelector('.motes').motes.store.change(x)", state)
             page.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
             end = time.monotonic() + PATIENCE

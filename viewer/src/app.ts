@@ -2,7 +2,7 @@
 
 import { Agreement } from './agreement';
 import { button, section } from './controls';
-import { h, tidy } from './dom';
+import { h, tidy, write } from './dom';
 import { accept, fileButton } from './drop';
 import { radianceMap } from './environment';
 import { declare } from './expression';
@@ -274,11 +274,11 @@ export class App {
 
   private words(state: State): void {
     const shown = this.pair.shown(state);
-    this.title.textContent = shown.map((material) => material.name).join(' and ');
-    this.subtitle.textContent = [...new Set(shown.map((material) => material.json.model))].join(' · ');
+    write(this.title, shown.map((material) => material.name).join(' and '));
+    write(this.subtitle, [...new Set(shown.map((material) => material.json.model))].join(' · '));
     this.names.forEach((name, k) => {
       name.hidden = shown.length < 2;
-      name.textContent = shown[k]?.name ?? '';
+      write(name, shown[k]?.name ?? '');
     });
     this.splitLine.hidden = shown.length < 2;
     this.splitLine.style.left = `${100 * (state.compare === 'side' ? 0.5 : state.split)}%`;
@@ -314,8 +314,9 @@ export class App {
       this.firstPicture = performance.now();
       this.root.dataset['firstPicture'] = this.firstPicture.toFixed(0);
     }
-    this.progress.textContent = this.picture.complete ? '' : `${Math.round(100 * this.picture.progress)} %`;
-    this.root.dataset['complete'] = String(this.picture.complete && !this.plotsDue);
+    write(this.progress, this.picture.complete ? '' : `${Math.round(100 * this.picture.progress)} %`);
+    const complete = String(this.picture.complete && !this.plotsDue);
+    if (this.root.dataset['complete'] !== complete) this.root.dataset['complete'] = complete;
     if (!this.picture.complete || this.plotsDue || this.transport.playing) this.request();
   }
 

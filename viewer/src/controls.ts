@@ -79,6 +79,7 @@ export class Slider {
 export class Choice {
   readonly element: HTMLElement;
   private readonly select: HTMLSelectElement;
+  private filled = '';
 
   constructor(label: string, options: readonly (readonly [string, string])[], set: (value: string) => void) {
     const id = fresh('choice');
@@ -88,6 +89,9 @@ export class Choice {
   }
 
   fill(options: readonly (readonly [string, string])[]): void {
+    const wanted = JSON.stringify(options);
+    if (wanted === this.filled) return;
+    this.filled = wanted;
     const now = this.select.value;
     this.select.replaceChildren(...options.map(([value, words]) => h('option', { value }, words)));
     this.show(now);

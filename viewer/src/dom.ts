@@ -26,6 +26,11 @@ function apply(element: Element, attributes: Attributes, children: Child[]): voi
   element.append(...children.filter((child): child is Node | string => child !== null && child !== undefined));
 }
 
+/** Set an element's text where it is another: what is set anew is laid out and painted anew, at each frame of what moves. */
+export function write(element: Element, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
+}
+
 /** `σ_s` with the part behind the underscore set lower. */
 export function symbol(text: string): HTMLElement {
   const [base, lower] = text.split('_');

@@ -45,7 +45,7 @@ export const MATERIAL_FORMAT = "motes material";
 export const MATERIAL_VERSION = 1;
 export const LARGEST_MATERIAL = 67108864;
 export const SHARES = 257;
-export const PAYLOAD_VERSION = 1;
+export const PAYLOAD_VERSION = 2;
 
 /** Those of Motes itself; a page brings the others that it needs. */
 export const MODELS: Record<string, ModelDeclaration> = {
@@ -929,7 +929,7 @@ export interface ShapesView {
   dust_by_inclination: number[];
 }
 
-/** All that a page or a widget gets. */
+/** All that a page or a widget gets; the library, which only materials that are dropped need, is `deflated`: a dictionary of `ShaderView` by name. */
 export interface Payload {
   format: 'motes view';
   version: number;
@@ -937,7 +937,7 @@ export interface Payload {
   materials: MaterialView[];
   measurement: MeasurementView | null;
   notes: string[];
-  library: Record<string, ShaderView>;
+  library: string;
   models: Record<string, unknown>;
   shapes: ShapesView;
 }

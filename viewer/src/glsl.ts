@@ -1,6 +1,7 @@
-// The fragment shaders around a printed BRDF: one that shades a mesh, one that evaluates lists of directions.
+// The fragment shaders around a printed BRDF: one that shades what is seen of a mesh, one that evaluates lists of directions.
 
 import type { Material, Values } from './material';
+import { SEEN } from './surface';
 
 /** Uniforms of a material's parameters. */
 export function uniformValues(material: Material, values: Values): Record<string, { value: number | number[] }> {
@@ -44,18 +45,6 @@ function reflected(material: Material): string {
   ].join('\n');
 }
 
-export const SHADE_VERTEX = /* glsl */ `
-in float dust;
-out vec3 vPosition;
-out vec3 vNormal;
-out float vDust;
-void main() {
-  vPosition = position;
-  vNormal = normal;
-  vDust = dust;
-  gl_Position = projectionMatrix * viewMatrix * vec4(position, 1.0);
-}`;
-
 /** A point lamp, and directions drawn from the environment, each with its radiance over its density; `beginning` defines `begin(wo, share)`. */
 export function shadeFragment(material: Material, beginning: string): string {
   return /* glsl */ `
@@ -69,36 +58,49 @@ uniform int skyFirst;
 uniform int skyCount;
 uniform float skyStrength;
 uniform float painted;
-in vec3 vPosition;
-in vec3 vNormal;
-in float vDust;
+${SEEN}
 out vec4 color;
 const float PI = 3.14159265358979;
 const float GRAZING = 0.01;
-void main() {
-  vec3 normal = normalize(gl_FrontFacing ? vNormal : -vNormal);
-  vec3 view = normalize(cameraPosition - vPosition);
+vec3 lit(vec3 place, vec3 normal, float dust) {
+  vec3 view = -normalize(vRay);
   vec3 side = normalize(cross(abs(normal.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0), normal));
   mat3 frame = transpose(mat3(side, cross(normal, side), normal));
   vec3 wo = frame * view;
   // Interpolated normals may turn away from the eye at an outline: such a point is seen at grazing.
   wo = normalize(vec3(wo.xy, max(wo.z, GRAZING)));
-  float share = mix(1.0, vDust, painted);
+  float share = mix(1.0, dust, painted);
   begin(wo, share);
-  vec3 toLamp = lampPosition - vPosition;
+  vec3 toLamp = lampPosition - place;
   float squared = dot(toLamp, toLamp);
   // lampStrength: the radiance of a white diffuser at the middle that faces the lamp.
   vec3 weight = vec3(PI * lampStrength * dot(lampPosition, lampPosition) / squared);
   vec3 wi = frame * (toLamp * inversesqrt(squared));
   vec3 sum = vec3(0.0);
   // The lamp goes first through the same loop: where a BRDF is written twice, a processor that draws compiles it twice.
-  for (int k = skyFirst; k <= skyFirst + skyCount; ++k) {
+  // What lies below the horizon is passed over before: pixels side by side, which a processor computes together, seldom wait for each other then.
+  int next = skyFirst;
+  int end = skyFirst + skyCount;
+  bool more = true;
+  while (more) {
     if (wi.z > 0.0) sum += reflected(wi, wo, share) * (wi.z * weight);
-    int at = 2 * k;
-    wi = frame * texelFetch(skyDirections, ivec2(at & 255, at >> 8), 0).xyz;
-    weight = texelFetch(skyDirections, ivec2((at + 1) & 255, at >> 8), 0).xyz * (skyStrength / float(max(skyCount, 1)));
+    wi.z = 0.0;
+    while (wi.z <= 0.0 && next < end) {
+      wi = frame * texelFetch(skyDirections, ivec2((2 * next) & 255, (2 * next) >> 8), 0).xyz;
+      next += 1;
+    }
+    more = wi.z > 0.0;
+    int at = max(2 * next - 1, 0);
+    weight = texelFetch(skyDirections, ivec2(at & 255, at >> 8), 0).xyz * (skyStrength / float(max(skyCount, 1)));
   }
-  color = vec4(sum, 1.0);
+  return sum;
+}
+void main() {
+  vec3 place, normal;
+  float dust;
+  // A processor that draws computes what is discarded, but no branch that no pixel takes.
+  if (seen(place, normal, dust)) color = vec4(lit(place, normal, dust), 1.0);
+  else discard;
 }`;
 }
 

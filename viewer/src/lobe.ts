@@ -1,6 +1,6 @@
 // The lobe in three dimensions: a surface whose distance from the middle is the BRDF (or f cos) in each direction, in a corner of the picture.
 
-import { ArrowHelper, BufferAttribute, BufferGeometry, Color, DoubleSide, Group, Line, LineBasicMaterial, LineLoop, Mesh, PerspectiveCamera, Scene, ShaderMaterial, GLSL3, Vector3, type WebGLRenderer } from 'three';
+import { ArrowHelper, BufferAttribute, BufferGeometry, Color, DoubleSide, Group, Line, LineBasicMaterial, LineLoop, Mesh, PerspectiveCamera, Scene, ShaderMaterial, GLSL3, LinearSRGBColorSpace, NearestFilter, Vector3, WebGLRenderTarget, type Texture, type WebGLRenderer } from 'three';
 import { clamp, radians } from './dom';
 import type { Material, Values } from './material';
 import type { Probe } from './probe';
@@ -9,6 +9,9 @@ import type { State } from './state';
 
 const RINGS = 40;
 const SIDES = 72;
+/** While things move every so many-th ring and side is drawn. */
+const COARSE = 4;
+const SAMPLES = 4;
 
 const VERTEX = /* glsl */ `
 in vec3 tint;
@@ -39,8 +42,14 @@ export class Lobe {
   private readonly positions = new Float32Array(3 * (RINGS + 1) * SIDES);
   private readonly tints = new Float32Array(this.positions.length);
   private readonly geometry = new BufferGeometry();
-  private readonly arrow = new ArrowHelper(new Vector3(0, -1, 0), new Vector3(), 1, 0xe09020, 0.14, 0.08);
-  private readonly lines = new LineBasicMaterial({ color: 0x888888 });
+  private readonly arrow = new ArrowHelper(new Vector3(0, -1, 0), new Vector3(), 1, asShown(0xe09020), 0.14, 0.08);
+  private readonly lines = new LineBasicMaterial({ color: asShown(0x888888) });
+  private readonly fine = triangles(1);
+  private readonly coarse = triangles(COARSE);
+  private target = picture(1);
+  /** What of it is drawn. */
+  private drawn = '';
+  private version = 0;
   visible = true;
   /** The largest radius, in 1/sr: what 1 in the drawing stands for. */
   reach = 1;
@@ -55,14 +64,6 @@ export class Lobe {
       }
     }
     this.wo = Float32Array.from(directions);
-    const triangles: number[] = [];
-    for (let i = 0; i < RINGS; i += 1) {
-      for (let j = 0; j < SIDES; j += 1) {
-        const [a, b] = [i * SIDES + j, i * SIDES + ((j + 1) % SIDES)];
-        triangles.push(a, a + SIDES, b, b, a + SIDES, b + SIDES);
-      }
-    }
-    this.geometry.setIndex(triangles);
     this.geometry.setAttribute('position', new BufferAttribute(this.positions, 3));
     this.geometry.setAttribute('tint', new BufferAttribute(this.tints, 3));
     const surface = new Mesh(this.geometry, new ShaderMaterial({ glslVersion: GLSL3, vertexShader: VERTEX, fragmentShader: FRAGMENT, side: DoubleSide }));
@@ -110,21 +111,30 @@ export class Lobe {
     this.arrow.position.copy(from.clone().multiplyScalar(1.12));
     this.arrow.setDirection(from.clone().negate());
     this.arrow.setLength(0.9, 0.13, 0.08);
+    this.version += 1;
   }
 
-  /** Draw it into the lower left corner, seen from where the mesh is seen from, never from below. */
-  draw(renderer: WebGLRenderer, main: PerspectiveCamera, width: number, height: number): void {
-    if (!this.visible) return;
-    const size = Math.round(Math.min(width, height) * 0.34);
+  /** A picture of it for the lower left corner, seen from where the mesh is seen from, never from below. */
+  draw(renderer: WebGLRenderer, main: PerspectiveCamera, size: number, moving: boolean): Texture {
     const towards = main.position.clone().normalize();
     towards.y = Math.max(towards.y, 0.16);
     this.camera.position.copy(towards.normalize().multiplyScalar(4.6)).add(new Vector3(0, 0.38, 0));
+    const wanted = JSON.stringify([this.camera.position, size, moving, this.version]);
+    if (wanted === this.drawn) return this.target.texture;
     this.camera.lookAt(0, 0.38, 0);
-    renderer.setRenderTarget(null);
-    renderer.setViewport(0, 0, size, size);
-    renderer.clearDepth();
+    this.geometry.setIndex(moving ? this.coarse : this.fine);
+    this.target.setSize(size, size);
+    renderer.setRenderTarget(this.target);
+    renderer.clear();
     renderer.render(this.scene, this.camera);
-    renderer.setViewport(0, 0, width, height);
+    this.drawn = wanted;
+    return this.target.texture;
+  }
+
+  /** After a lost context came back. */
+  revive(): void {
+    this.target = picture(1);
+    this.drawn = '';
   }
 
   private ground(): Group {
@@ -137,3 +147,21 @@ export class Lobe {
     return group;
   }
 }
+
+/** Triangles between every `step`-th ring and side. */
+function triangles(step: number): BufferAttribute {
+  const corners: number[] = [];
+  for (let i = 0; i < RINGS; i += step) {
+    for (let j = 0; j < SIDES; j += step) {
+      const [a, b] = [i * SIDES + j, i * SIDES + ((j + step) % SIDES)];
+      const below = step * SIDES;
+      corners.push(a, a + below, b, b, a + below, b + below);
+    }
+  }
+  return new BufferAttribute(Uint16Array.from(corners), 1);
+}
+
+const picture = (size: number): WebGLRenderTarget => new WebGLRenderTarget(size, size, { samples: SAMPLES, minFilter: NearestFilter, magFilter: NearestFilter });
+
+/** A colour of the screen, as it is: what is drawn here is shown without another word. */
+const asShown = (hex: number): Color => new Color().setHex(hex, LinearSRGBColorSpace);

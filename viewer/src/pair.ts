@@ -1,12 +1,14 @@
 // The one or two materials that are looked at: the page's own, and those that were dropped in their place.
 
-import type { Payload } from './generated';
+import type { Payload, ShaderView } from './generated';
 import { fromJson, fromView, held, valuesAt, type Material, type Values } from './material';
+import { inflated } from './packed';
 import type { State } from './state';
 
 export class Pair {
   private readonly own: (Material | null)[];
   private materials: (Material | null)[];
+  private library: Record<string, ShaderView> | null = null;
 
   constructor(private readonly payload: Payload) {
     this.own = [fromView(payload.materials[0]!), payload.materials[1] ? fromView(payload.materials[1]) : null];
@@ -70,7 +72,8 @@ export class Pair {
 
   /** A dropped material's JSON as a material, with what had to be left out. */
   read(json: unknown): { material: Material; notes: string[] } {
-    return fromJson(json, this.payload.library);
+    this.library ??= inflated(this.payload.library) as Record<string, ShaderView>;
+    return fromJson(json, this.library);
   }
 
   /** Take the materials that the state names; what cannot be read is the page's own again. */

@@ -2,7 +2,7 @@
 
 import { Slider } from './controls';
 import type { Slot } from './expression';
-import { h } from './dom';
+import { h, write } from './dom';
 import { check, type Material, type Values } from './material';
 import { shownChannels } from './slice';
 
@@ -35,7 +35,7 @@ export class Parameters {
       for (const { slider, channel } of sliders) slider.show(channel === null ? mean(value) / (mean(slot.value) || 1) : value[channel]!, byHand);
       const follows = material.time?.trends[slot.name];
       state.classList.toggle('own', byHand);
-      state.textContent = byHand ? ` · set by hand${follows ? ', no longer follows time' : ''}` : follows ? ` · follows time: ${follows.kind.replaceAll('_', ' ')}` : '';
+      write(state, byHand ? ` · set by hand${follows ? ', no longer follows time' : ''}` : follows ? ` · follows time: ${follows.kind.replaceAll('_', ' ')}` : '');
     }
   }
 

@@ -28,6 +28,12 @@ void main() {
   gl_FragColor = vec4(gl_FragColor.rgb * covered, covered);
 }`;
 
+/** A picture that covers a corner by its alpha, which its colours have been multiplied by. */
+export const CORNER = /* glsl */ `
+uniform sampler2D corner;
+out vec4 color;
+void main() { color = texelFetch(corner, ivec2(gl_FragCoord.xy), 0); }`;
+
 /** Four floats a pixel, as they are. */
 export function target(width: number, height: number, depthBuffer: boolean): WebGLRenderTarget {
   return new WebGLRenderTarget(width, height, { type: FloatType, format: RGBAFormat, minFilter: NearestFilter, magFilter: NearestFilter, depthBuffer });

@@ -13,39 +13,35 @@ import {
   Scene,
   ShaderMaterial,
   SphereGeometry,
-  Vector3,
   WebGLRenderer,
   type WebGLRenderTarget,
   type BufferGeometry,
   type DataTexture,
+  type Texture,
 } from 'three';
 import { radians } from './dom';
 import { directionsTexture, DIRECTIONS, radianceMap, upward } from './environment';
 import { backdropTexture, BACKDROP_FRAGMENT, BACKDROP_VERTEX } from './backdrop';
 import { groundMaterial, groundOf } from './ground';
-import { SHADE_VERTEX, shadeFragment, uniformValues } from './glsl';
-import { beginning, Kept } from './kept';
+import { uniformValues } from './glsl';
+import { Kept } from './kept';
 import type { Lobe } from './lobe';
+import { direction, shadeMaterial } from './lighting';
 import type { Material, Values } from './material';
-import { AVERAGE, halton, quadMaterial, SHOW, target } from './passes';
+import { AT_REST, MOST, Pace } from './pace';
+import { AVERAGE, CORNER, halton, quadMaterial, SHOW, target } from './passes';
 import { Problem } from './problem';
 import type { State } from './state';
+import { Surface, type Part } from './surface';
 
 const TONES = { neutral: NeutralToneMapping, agx: AgXToneMapping, clip: LinearToneMapping };
 const LAMP_DISTANCE = 6;
 /** A finished picture has at least so many frames, each with its own place in the pixels, and all directions of the sky. */
 const FRAMES = 16;
-/** Directions of the sky a frame: what the machine can do within the patience while things move; at rest from the third on, doubled up to the second. */
-const FEWEST = 2;
-const MOST = 64;
-const AT_REST = 8;
-const PATIENCE_MS = 45;
-const COARSEST = 8;
+/** The side of the lobe's picture, in parts of the shorter side of the whole. */
+const CORNER_SHARE = 0.34;
 /** On a slow machine the picture counts as at rest after so long. */
 const SETTLED_MS = 120;
-/** At rest a frame draws as many rows of the picture as take about so long: what is asked for in between need not wait. */
-const REST_MS: [number, number] = [60, 160];
-
 interface Shown {
   material: Material;
   program: ShaderMaterial;
@@ -56,7 +52,8 @@ export class Picture {
   readonly renderer: WebGLRenderer;
   readonly camera = new PerspectiveCamera(30, 1, 0.05, 100);
   private readonly scene = new Scene();
-  private readonly mesh = new Mesh<BufferGeometry, ShaderMaterial>();
+  private readonly surface = new Surface();
+  private readonly mesh = this.surface.mesh;
   private readonly backdrop: Mesh<SphereGeometry, ShaderMaterial>;
   private readonly ground = new Mesh<BufferGeometry, ShaderMaterial>(undefined, groundMaterial());
   /** Whether the ground is that of another mesh still: the first picture does without. */
@@ -71,6 +68,7 @@ export class Picture {
   private readonly quad = new Mesh(new PlaneGeometry(2, 2));
   private readonly averaging = quadMaterial(AVERAGE, GLSL3, { before: { value: null }, now: { value: null }, share: { value: 1 } });
   private readonly showing = quadMaterial(SHOW, null, { average: { value: null } });
+  private readonly corner = quadMaterial(CORNER, GLSL3, { corner: { value: null } });
   private shown: Shown[] = [];
   private sample: WebGLRenderTarget;
   private sums: [WebGLRenderTarget, WebGLRenderTarget];
@@ -81,29 +79,23 @@ export class Picture {
   private moved = true;
   /** Whether no light comes from the surroundings. */
   private dark = false;
-  /** Directions of the sky a frame while things move, and how many pixels to the side are drawn as one; both follow the machine. */
-  batch = 4;
-  coarseness = 3;
-  private times: number[] = [];
-  private turning = false;
+  readonly pace = new Pace();
   private movedAt = 0;
-  /** At rest: rows that this pass has drawn, and rows times directions that a frame draws. */
+  /** Rows that this pass has drawn. */
   private row = 0;
-  private budget = 0;
   /** Whether something else than a further pass is to be shown. */
   stale = true;
   lobe: Lobe | null = null;
 
   constructor(readonly canvas: HTMLCanvasElement) {
     // The drawing buffer is kept for those who copy the picture.
-    const attributes: WebGLContextAttributes = { antialias: true, alpha: true, premultipliedAlpha: true, preserveDrawingBuffer: true, powerPreference: 'high-performance' };
+    const attributes: WebGLContextAttributes = { antialias: false, alpha: true, premultipliedAlpha: true, preserveDrawingBuffer: true, powerPreference: 'high-performance' };
     const context = canvas.getContext('webgl2', attributes);
     if (!context) throw new Problem('This browser has no WebGL 2, which the viewer draws with', 'Switch on hardware acceleration or try another browser; the pictures below stand in for it');
     if (!context.getExtension('EXT_color_buffer_float')) throw new Problem('This browser cannot draw into floating-point textures, which the viewer needs', 'Try another browser; the pictures below stand in for it');
-    this.renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true, premultipliedAlpha: true, preserveDrawingBuffer: true, powerPreference: 'high-performance' });
+    this.renderer = new WebGLRenderer({ canvas, context, antialias: false, alpha: true, premultipliedAlpha: true, preserveDrawingBuffer: true, powerPreference: 'high-performance' });
     this.renderer.autoClear = false;
     this.renderer.setClearColor(0x000000, 0);
-    this.mesh.frustumCulled = false;
     this.quad.frustumCulled = false;
     this.flat.add(this.quad);
     this.backdrop = new Mesh(
@@ -111,8 +103,9 @@ export class Picture {
       new ShaderMaterial({ glslVersion: GLSL3, vertexShader: BACKDROP_VERTEX, fragmentShader: BACKDROP_FRAGMENT, side: BackSide, depthWrite: false, uniforms: { sky: { value: null }, strength: { value: 1 } } }),
     );
     this.ground.frustumCulled = false;
-    this.scene.add(this.backdrop, this.ground, this.mesh);
-    this.sample = target(1, 1, true);
+    Object.assign(this.corner, { transparent: true, premultipliedAlpha: true });
+    this.scene.add(this.backdrop, this.ground);
+    this.sample = target(1, 1, false);
     this.sums = [target(1, 1, false), target(1, 1, false)];
   }
 
@@ -135,6 +128,7 @@ export class Picture {
     const [w, h] = [Math.max(Math.round(width * ratio), 1), Math.max(Math.round(height * ratio), 1)];
     if (this.sample.width === w && this.sample.height === h) return;
     this.sample.setSize(w, h);
+    this.surface.setSize(w, h);
     for (const sum of this.sums) sum.setSize(w, h);
     this.restart();
   }
@@ -177,16 +171,16 @@ export class Picture {
     const now = performance.now();
     if (this.moved) this.movedAt = now;
     // Whoever turns the shape on a slow machine makes pauses of a frame or two, and a fine pass in one of them would hold up the next move.
-    else if (this.coarseness > 1 && this.frame === 0 && this.row === 0 && now - this.movedAt < SETTLED_MS) return;
-    this.adapt();
-    const coarse = this.moved ? this.coarseness : 1;
+    else if (this.pace.coarseness > 1 && this.frame === 0 && this.row === 0 && now - this.movedAt < SETTLED_MS) return;
+    this.pace.follow(now, this.moved, this.sample.height);
+    const coarse = this.moved ? this.pace.coarseness : 1;
     let passed = this.moved || this.complete;
-    if (this.moved && coarse > 1) this.shade(state, values, ...this.size(coarse), this.batch);
+    if (this.moved && coarse > 1) this.shade(state, values, ...this.size(coarse), this.pace.batch);
     else if (!this.complete) passed = this.pass(state, values);
     if (passed || (this.stale && this.frame > 0)) {
       const [width, height] = this.fit(coarse);
       this.show(state, coarse === 1 ? this.sums[0] : this.sample, width, height);
-      this.lobe?.draw(this.renderer, this.camera, width, height);
+      if (this.lobe?.visible) this.cover(this.lobe.draw(this.renderer, this.camera, Math.round(Math.min(width, height) * CORNER_SHARE), coarse > 1));
       this.stale = false;
       this.shownOnce = true;
     }
@@ -208,8 +202,8 @@ export class Picture {
   /** Some rows of the picture, or all of them, with the next directions; whether it is whole. */
   private pass(state: State, values: readonly Values[]): boolean {
     const { width, height } = this.sample;
-    const count = Math.min(this.moved ? this.batch : Math.min(Math.max(this.drawn, AT_REST), MOST), DIRECTIONS - (this.drawn % DIRECTIONS));
-    const rows = this.moved ? height : Math.max(Math.floor(this.budget / count), 1);
+    const count = Math.min(this.moved ? this.pace.batch : Math.min(Math.max(this.drawn, AT_REST), MOST), DIRECTIONS - (this.drawn % DIRECTIONS));
+    const rows = this.moved ? height : Math.max(Math.floor(this.pace.budget / count), 1);
     const end = Math.min(this.row + rows, height);
     this.shade(state, values, width, height, count, this.row, end);
     this.row = end % height;
@@ -220,25 +214,36 @@ export class Picture {
     return true;
   }
 
-  /** The materials on the mesh, into the lower left corner of `sample`, of its rows some. */
+  /** The materials on the mesh, into the lower left corner of `sample`, of its rows some; the mesh is looked at with the first of them. */
   private shade(state: State, values: readonly Values[], w: number, h: number, count: number, first = 0, end = h): void {
     const renderer = this.renderer;
     const tables = this.shown.map(({ kept }, k) => kept?.texture(renderer, values[k]!) ?? null);
     this.place(state, w, h);
-    this.sample.scissor.set(0, first, w, end - first);
+    const parts = this.parts(state, w);
+    if (first === 0) this.surface.draw(renderer, this.camera, h, parts);
     this.sample.scissorTest = true;
+    this.sample.scissor.set(0, first, w, end - first);
     renderer.setRenderTarget(this.sample);
     renderer.clear();
-    this.parts(state, w).forEach(([x, width, viewX, viewWidth], k) => {
+    parts.forEach((part, k) => {
+      const { view, shown } = part;
       const { material, program } = this.shown[k]!;
       Object.assign(program.uniforms, uniformValues(material, values[k]!));
       this.light(program, state, count);
+      this.surface.tell(program, this.camera);
       program.uniforms['kept']!.value = tables[k];
-      this.mesh.material = program;
-      this.sample.viewport.set(viewX, 0, viewWidth, h);
-      this.sample.scissor.set(x, first, width, end - first);
+      this.sample.viewport.set(view[0], 0, view[1], h);
+      this.sample.scissor.set(shown[0], first, shown[1], end - first);
       renderer.setRenderTarget(this.sample);
-      renderer.render(this.scene, this.camera);
+      // Whoever sees the ground sees no part of the mesh below it.
+      if (this.backdrop.visible || this.ground.visible) renderer.render(this.scene, this.camera);
+      const [left, right, low, high] = this.surface.bounds(this.camera, h, part);
+      const [from, to] = [Math.max(low, first), Math.min(high, end)];
+      if (right <= left || to <= from) return;
+      this.sample.scissor.set(left, from, right - left, to - from);
+      renderer.setRenderTarget(this.sample);
+      this.quad.material = program;
+      renderer.render(this.flat, this.flatCamera);
     });
   }
 
@@ -253,8 +258,10 @@ export class Picture {
   /** After a lost context came back: what it held is gone, and must not be deleted in the new one. */
   revive(): void {
     const { width, height } = this.sample;
-    this.sample = target(width, height, true);
+    this.sample = target(width, height, false);
     this.sums = [target(width, height, false), target(width, height, false)];
+    this.surface.revive();
+    this.lobe?.revive();
     for (const { kept } of this.shown) kept?.revive();
     this.environment = '';
     this.sky = null;
@@ -266,31 +273,32 @@ export class Picture {
     for (const each of this.shown) forget(each);
     for (const each of [this.sample, ...this.sums]) each.dispose();
     this.sky?.dispose();
+    this.surface.dispose();
     this.ground.geometry.dispose();
     this.ground.material.dispose();
     this.renderer.dispose();
   }
 
-  /** For each material: the part of the picture it fills, and the part that the camera's view fills. */
-  private parts(state: State, w: number): [number, number, number, number][] {
-    if (this.shown.length < 2) return [[0, w, 0, w]];
-    if (state.compare === 'side') return [[0, Math.floor(w / 2), 0, Math.floor(w / 2)], [Math.ceil(w / 2), Math.floor(w / 2), Math.ceil(w / 2), Math.floor(w / 2)]];
+  /** For each material its part of the picture. */
+  private parts(state: State, w: number): Part[] {
+    if (this.shown.length < 2) return [{ view: [0, w], shown: [0, w] }];
+    if (state.compare === 'side') return [[0, Math.floor(w / 2)] as const, [Math.ceil(w / 2), Math.floor(w / 2)] as const].map(([x, width]) => ({ view: [x, width], shown: [x, width] }));
     const cut = Math.round(w * state.split);
-    return [[0, cut, 0, w], [cut, w - cut, 0, w]];
+    return [{ view: [0, w], shown: [0, cut] }, { view: [0, w], shown: [cut, w - cut] }];
   }
 
   private place(state: State, w: number, h: number): void {
-    const [azimuth, elevation] = [radians(state.azimuth), radians(state.elevation)];
     const aspect = this.shown.length > 1 && state.compare === 'side' ? w / 2 / h : w / h;
     this.camera.aspect = aspect;
     // What fits a square also fits a narrow picture: the distance grows.
     const distance = state.distance * Math.max(1, 1 / aspect);
-    this.camera.position.set(Math.sin(azimuth) * Math.cos(elevation), Math.sin(elevation), Math.cos(azimuth) * Math.cos(elevation)).multiplyScalar(distance);
+    this.camera.position.copy(direction(state.azimuth, state.elevation)).multiplyScalar(distance);
     this.camera.lookAt(0, 0, 0);
     // Each frame samples another place of the pixels; the first their middle.
     const jitter = [halton(this.frame, 2), halton(this.frame, 3)];
     this.camera.setViewOffset(w, h, jitter[0]!, jitter[1]!, w, h);
     this.camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
     this.backdrop.visible = state.backdrop && state.environment !== 'none';
     // What a white ground gets of the surroundings, of all that it gets with the lamp.
     const [sky, lamp] = [this.up * state.sky, state.lamp * Math.max(Math.sin(radians(state.lampElevation)), 0)];
@@ -299,9 +307,8 @@ export class Picture {
   }
 
   private light(program: ShaderMaterial, state: State, count: number): void {
-    const [azimuth, elevation] = [radians(state.lampAzimuth), radians(state.lampElevation)];
     const uniforms = program.uniforms;
-    uniforms['lampPosition']!.value.set(Math.sin(azimuth) * Math.cos(elevation), Math.sin(elevation), Math.cos(azimuth) * Math.cos(elevation)).multiplyScalar(LAMP_DISTANCE);
+    uniforms['lampPosition']!.value.copy(direction(state.lampAzimuth, state.lampElevation)).multiplyScalar(LAMP_DISTANCE);
     uniforms['lampStrength']!.value = state.lamp;
     uniforms['skyDirections']!.value = this.sky;
     uniforms['skyFirst']!.value = this.drawn % DIRECTIONS;
@@ -337,34 +344,23 @@ export class Picture {
     renderer.render(this.flat, this.flatCamera);
   }
 
+  /** A square picture in the lower left corner, over what is shown. */
+  private cover(picture: Texture): void {
+    const { renderer, corner } = this;
+    const { width, height } = picture.image as { width: number; height: number };
+    corner.uniforms['corner']!.value = picture;
+    this.quad.material = corner;
+    renderer.setRenderTarget(null);
+    renderer.setViewport(0, 0, width, height);
+    renderer.render(this.flat, this.flatCamera);
+  }
+
   /** Draw a pixel, so that whoever draws compiles what the first picture needs while the page is built. */
   prepare(state: State, values: readonly Values[], geometry: BufferGeometry): void {
     this.mesh.geometry = geometry;
     this.shade(state, values, 1, 1, 1);
     this.show(state, this.sample, 1, 1);
     this.renderer.getContext().flush();
-  }
-
-  /** Called at each frame: more directions, pixels and rows where the machine is quick, fewer where it is not. */
-  private adapt(): void {
-    const now = performance.now();
-    this.budget ||= AT_REST * this.sample.height;
-    if (this.times.length && (this.moved !== this.turning || now - this.times.at(-1)! > 3000)) this.times = [];
-    this.turning = this.moved;
-    this.times.push(now);
-    if (this.times.length < (this.moved ? 6 : 4)) return;
-    const mean = (now - this.times[0]!) / (this.times.length - 1);
-    this.times = [];
-    if (!this.moved) {
-      if (mean > REST_MS[1]) this.budget = Math.max(this.budget / 2, AT_REST);
-      else if (mean < REST_MS[0]) this.budget = Math.min(this.budget * 2, MOST * this.sample.height);
-    } else if (mean > PATIENCE_MS) {
-      if (this.batch > FEWEST) this.batch /= 2;
-      else this.coarseness = Math.min(Math.ceil(this.coarseness * Math.min(Math.sqrt(mean / PATIENCE_MS), 2)), COARSEST);
-    } else if (mean < PATIENCE_MS / 2) {
-      if (this.coarseness > 1) this.coarseness -= 1;
-      else if (this.batch < MOST) this.batch *= 2;
-    }
   }
 
   private setEnvironment(name: string): void {
@@ -382,23 +378,4 @@ export class Picture {
 function forget({ program, kept }: Shown): void {
   program.dispose();
   kept?.dispose();
-}
-
-function shadeMaterial(material: Material): ShaderMaterial {
-  return new ShaderMaterial({
-    glslVersion: GLSL3,
-    vertexShader: SHADE_VERTEX,
-    fragmentShader: shadeFragment(material, beginning(material)),
-    uniforms: {
-      lampPosition: { value: new Vector3() },
-      lampStrength: { value: 1 },
-      skyDirections: { value: null },
-      skyFirst: { value: 0 },
-      skyCount: { value: 0 },
-      skyStrength: { value: 1 },
-      painted: { value: 0 },
-      kept: { value: null },
-    },
-    side: 2,
-  });
 }

@@ -1,7 +1,7 @@
 // The parts of the panel that set the scene and the comparison: controls that change the state and follow it.
 
 import { Choice, section, Slider, Switch } from './controls';
-import { clamp, h, tidy } from './dom';
+import { clamp, h, tidy, write } from './dom';
 import type { Meshes } from './meshes';
 import type { Pair } from './pair';
 import { Problem } from './problem';
@@ -74,7 +74,7 @@ export class Settings {
     this.followers.push((state) => {
       comparison.querySelector('select')!.disabled = !pair.two;
       cut.hidden = !pair.two || state.compare !== 'split';
-      note.textContent = pair.two ? `Left: ${pair.at(0)!.name}. Right: ${pair.at(1)!.name}.` : 'Open a second material (a material.json) to compare.';
+      write(note, pair.two ? `Left: ${pair.at(0)!.name}. Right: ${pair.at(1)!.name}.` : 'Open a second material (a material.json) to compare.');
     });
     return section('Compare', pair.cameWithTwo, comparison, cut, note, openSecond);
   }

@@ -1,6 +1,6 @@
 // The time: a slider with play and pause below the picture.
 
-import { fresh, h, tidy } from './dom';
+import { fresh, h, tidy, write } from './dom';
 
 /** The whole course is played in so many seconds. */
 const SECONDS = 8;
@@ -48,7 +48,7 @@ export class Transport {
     this.range.value = String(hours);
     const words = `${tidy(hours, 3)} h`;
     this.range.setAttribute('aria-valuetext', words);
-    this.words.textContent = words;
+    write(this.words, words);
   }
 
   toggle(): void {
@@ -80,6 +80,6 @@ export class Transport {
 
   private label(text: string, sign: string): void {
     this.button.setAttribute('aria-label', text);
-    this.button.textContent = sign;
+    write(this.button, sign);
   }
 }

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, Literal, TypedDict
 
 #: Changes when the page of an older Motes could not read a payload.
-VERSION = 1
+VERSION = 2
 #: The table of what a shader keeps has columns for so many shares of dust, at the cubes of even steps from 0 to 1, which are dense where there is hardly any.
 SHARES = 257
 
@@ -156,7 +156,7 @@ class ShapesView(TypedDict):
 
 
 class Payload(TypedDict):
-    """All that a page or a widget gets."""
+    """All that a page or a widget gets; the library, which only materials that are dropped need, is `deflated`: a dictionary of `ShaderView` by name."""
 
     format: Literal["motes view"]
     version: int
@@ -164,7 +164,7 @@ class Payload(TypedDict):
     materials: list[MaterialView]
     measurement: MeasurementView | None
     notes: list[str]
-    library: dict[str, ShaderView]
+    library: str
     models: dict[str, Any]
     shapes: ShapesView
 

@@ -30,7 +30,7 @@ from motes.viewer.contract import (
     TrendView,
 )
 from motes.viewer.declarations import declared, range_view
-from motes.viewer.packing import packed
+from motes.viewer.packing import deflated, packed
 from motes.viewer.shader_library import in_stages, library
 from motes.viewer.shipped_shapes import shapes
 
@@ -82,7 +82,7 @@ def payload(
         "materials": views,
         "measurement": points,
         "notes": [*said, *notes, *([points["note"]] if points and points["note"] else [])],
-        "library": library(),
+        "library": deflated(library()),
         "models": declared(own=False),
         "shapes": shapes(),
     }
