@@ -26,14 +26,17 @@ def test_printing_is_deterministic() -> None:
 def test_a_module_holds_what_it_needs() -> None:
     plain = numba_code.evaluation(tracing.trace(Lambert()), (), "float64").source
     assert "def exp(" not in plain
-    full = numba_code.evaluation(tracing.trace(DUSTY, 3), (), "float64").source
+    full = numba_code.gradient(tracing.trace(DUSTY, 3), (), "float64").source
     assert "def exp(" in full
     assert "np.float32" not in full
+    program = numba_code.evaluation(tracing.trace(DUSTY, 3), (), "float64").source
+    assert re.search(r"t\d+ = exp t\d+\n", program)
+    assert "def exp(" not in program, "vectors bring their own functions"
 
 
 def test_what_depends_on_uniform_parameters_alone_is_a_constant() -> None:
     kernel = numba_code.evaluation(tracing.trace(OrenNayar()), (), "float64")
-    span = kernel.source.split("def span")[1].split("@numba.njit")[0]
+    span = kernel.source.split("def stretch")[1].split("@numba.njit")[0]
     assert "0.09" not in span, "sigma_d^2 / (sigma_d^2 + 0.09) is computed beforehand"
     varying = numba_code.evaluation(tracing.trace(OrenNayar()), ("sigma_d",), "float64")
     assert "0.09" in varying.source
@@ -57,11 +60,13 @@ def test_a_gradient_adds_up_derivatives_by_constants() -> None:
     assert kernel.source.count("add_in_any_order(s") == len(kernel.totals)
 
 
-def test_the_loop_is_vectorised_and_calls_nothing() -> None:
-    source = numba_code.evaluation(tracing.trace(DUSTY, 3), (), "float32").source.replace("cache=True, ", "")
+@pytest.mark.parametrize("printer", [numba_code.evaluation, numba_code.gradient])
+def test_the_loop_is_vectorised_and_calls_nothing(printer: Any) -> None:
+    kernel = printer(tracing.trace(DUSTY, 3), (), "float32")
+    source = kernel.source.replace("cache=True, ", "")
     module: dict[str, Any] = {"__name__": "kernel_under_test"}
     exec(source, module)
-    (ir,) = module["evaluate"].inspect_llvm().values()
+    (ir,) = module[kernel.driver].inspect_llvm().values()
     assert re.search(r"fdiv [\w ]*<\d+ x float>", ir)
     assert re.search(r"call [\w ]*<\d+ x float> @llvm\.sqrt", ir)
     called = set(re.findall(r"call [^@\n]*@([\w.\"]+)\(", ir))

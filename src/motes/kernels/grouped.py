@@ -29,7 +29,7 @@ DEGREE = 3
 NODES = np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
 PLACES = np.concatenate([NODES, [-1.0, 1.0]])
 #: Groups are filled up to whole vectors, and have to have so many texels on average.
-LANES, FULL = 16, 64
+LANES, FULL = numba_code.WHOLE, 64
 _GROUP = 4  # a bit beside those of a model's leaves
 _COMPARISONS = ("lt", "le", "gt", "ge")
 
@@ -192,8 +192,7 @@ def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> GroupedKe
 def numbers(trace: Trace, varying: Collection[str], scalar: str) -> numba_code.Kernel:
     """The kernel that computes the numbers at given values of the parameter."""
     found = _found(trace, varying)
-    kernel = numba_code.evaluation(replace(trace, outputs=found.numbers), (found.parameter.slot,), scalar)
-    return replace(kernel, width=len(found.numbers))
+    return numba_code.table(replace(trace, outputs=found.numbers), (found.parameter.slot,), scalar)
 
 
 def _found(trace: Trace, varying: Collection[str]) -> Grouping:

@@ -10,7 +10,7 @@ import numpy as np
 from motes import workers
 from motes.graph.tracing import TracedParameter
 from motes.kernels import grouped
-from motes.kernels.jobs import CHUNK, Array, Job, address, place
+from motes.kernels.jobs import CHUNK, Array, Job, address, place, with_room
 
 
 class Made(Protocol):
@@ -77,7 +77,8 @@ def _numbers(job: Job, numbers: Made, keys: Array) -> Array:
 
 def _one_by_one(job: Job, target: Array, which: Array, varying: Array, kernel: Made) -> None:
     count = len(which)
-    constants, here = kernel.constants(job.uniform), np.ascontiguousarray(varying[:, which])
+    constants, here = kernel.constants(job.uniform), with_room(len(varying), count, job.scalar)
+    np.take(varying, which, axis=1, out=here)
     wi, wo = (np.ascontiguousarray(w[which].T).T for w in (job.wi, job.wo))
     found = np.empty((job.channels, count), job.scalar).T
     others = (address(constants), address(here), count, *place(found))

@@ -14,7 +14,7 @@ from motes import workers
 from motes.errors import DataError, ParameterError
 from motes.graph.tracing import TracedParameter
 from motes.kernels.memory import empty
-from motes.kernels.numba import TILE
+from motes.kernels.numba import TILE, WHOLE
 from motes.parameters import Parametrised, Slot
 
 CHUNK = 32 * TILE  # directions that a thread takes at a time
@@ -148,7 +148,7 @@ class Job:
 
     def rows(self, parameters: Sequence[TracedParameter]) -> Array:
         """The values of varying parameters, a row each."""
-        rows = np.empty((len(parameters), self.count), self.scalar)
+        rows = with_room(len(parameters), self.count, self.scalar)
         for row, parameter in zip(rows, parameters, strict=True):
             slot = self.slots[parameter.slot]
             value = np.asarray(slot.value)
@@ -242,6 +242,11 @@ def target_of(out: Array | None, shape: tuple[int, ...], job: Job) -> Array:
         if np.may_share_memory(out, flat):  # not a copy
             return flat
     return job.room(job.channels)
+
+
+def with_room(rows: int, count: int, scalar: np.dtype[Any]) -> Array:
+    """A new array (rows, count) behind which a kernel may read what would make its last vector whole."""
+    return np.empty(rows * count + WHOLE, scalar)[: rows * count].reshape(rows, count)
 
 
 def address(x: Array) -> int:

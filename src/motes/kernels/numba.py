@@ -1,7 +1,9 @@
 """Printing a traced model as a Numba module: the kernels of `motes.kernels.engine`.
 
-A module holds the elementary functions it needs, ``span`` (the formula, over a run of directions that lie one after the other in
-memory) and a driver that cuts a range of directions into tiles and brings each into that form.  What depends on uniform
+A module holds ``span`` (the formula, over a run of directions that lie one after the other in memory) and a driver that cuts a range of
+directions into tiles and brings each into that form.  The values of models and densities are programs of vectors (`motes.kernels.vectors`), over
+`WHOLE` directions or a multiple of them; gradients, samples and float64 numbers of rows are statements for one direction, with the elementary functions
+that they need, which LLVM's vectoriser makes vectors of.  What depends on uniform
 parameters alone is not in it: the engine computes these *constants* in float64 and hands them over.
 """
 
@@ -12,134 +14,27 @@ from dataclasses import dataclass, replace
 
 from motes.graph import nan, tracing
 from motes.graph.tracing import DIRECTIONS, PARAMETERS, Symbol, Trace, TracedParameter
+from motes.kernels import drivers
+from motes.kernels.programs import WORDLESS, computed, intrinsic
 from motes.printing import elementary
 from motes.printing.printer import ARITHMETIC, CALLED, Target, statements
 
 # Operations on varying parameters alone from which on they are computed once for a row of directions, not at each.
 LEAST_APART = 200
 _VARYING = 4  # a bit beside those of a model's leaves
+WHOLE = 32  # directions, which are whole vectors in any precision on any processor
 TILE = 1024  # directions; their components and results fit the level-1 cache together with what is spilled
 
 _TEMPLATES = ARITHMETIC | CALLED | {"where": "select({0}, {1}, {2})"}
 ELEMENTARY = ("exp", "expm1", "log", "log1p", "asin", "asin_near", "sin", "cos")
 # Minima and maxima: one instruction, which keeps a NaN of `a` and drops one of `b`; and one that keeps either (see `motes.graph.nan`).
+_CAREFUL = {"minimum": "least", "maximum": "most"}
 _EXTREMA = {
-    "minimum": ("select({a} > {b}, {b}, {a})", "select(({a} < {b}) | ({a} != {a}), {a}, {b})"),
-    "maximum": ("select({a} < {b}, {b}, {a})", "select(({a} > {b}) | ({a} != {a}), {a}, {b})"),
+    "minimum": "select({a} > {b}, {b}, {a})",
+    "maximum": "select({a} < {b}, {b}, {a})",
+    "least": "select(({a} < {b}) | ({a} != {a}), {a}, {b})",
+    "most": "select(({a} > {b}) | ({a} != {a}), {a}, {b})",
 }
-
-_HEADER = '''"""{title}"""
-
-import numba
-import numpy as np
-from motes.kernels.intrinsics import add_in_any_order, bits_of, float_of, load, select, sqrt, store
-
-F, I = np.{scalar}, np.{integer}
-ITEM, TILE = {item}, {tile}
-# Without nnan and ninf: NaN is to stay NaN.  Without reassoc: range reduction and short sums of long terms depend on their order.
-options = dict(error_model="numpy", fastmath={{"nsz", "arcp", "contract"}})
-part = numba.njit(**options)
-
-'''
-
-_COLUMNS = '''
-@part
-def gather(lanes, source, step, stride, scratch, count):
-    """`lanes` rows one after the other in memory, from any layout: item k of entry n is source[n * step + k * stride]."""
-    if lanes == 3 and step == 3 and stride == 1:
-        for n in range(count):
-            store(F, scratch, n, load(F, source, 3 * n, "gather", 3), "gather", 0, 3)
-            store(F, scratch, TILE + n, load(F, source, 3 * n + 1, "gather", 3), "gather", 1, 3)
-            store(F, scratch, 2 * TILE + n, load(F, source, 3 * n + 2, "gather", 3), "gather", 2, 3)
-    else:
-        for k in range(lanes):
-            for n in range(count):
-                store(F, scratch, k * TILE + n, load(F, source, n * step + k * stride, "gather", 3), "gather", 0, 3)
-
-
-@part
-def columns(lanes, source, step, stride, room, count):
-    """Where rows one after the other in memory begin, and how far apart they are: `source` itself or a copy in `room`."""
-    if step == 1:
-        return source, stride
-    gather(lanes, source, step, stride, room, count)
-    return room, TILE
-
-
-@part
-def scatter(lanes, scratch, target, step, stride, count):
-    """The reverse of `gather`."""
-    if lanes == 3 and step == 3 and stride == 1:
-        for n in range(count):
-            store(F, target, 3 * n, load(F, scratch, n, "scatter", 3), "scatter", 0, 3)
-            store(F, target, 3 * n + 1, load(F, scratch, TILE + n, "scatter", 3), "scatter", 1, 3)
-            store(F, target, 3 * n + 2, load(F, scratch, 2 * TILE + n, "scatter", 3), "scatter", 2, 3)
-    else:
-        for k in range(lanes):
-            for n in range(count):
-                store(F, target, n * step + k * stride, load(F, scratch, k * TILE + n, "scatter", 3), "scatter", 0, 3)
-
-'''
-
-# Addresses are integers.  Directions are an address, the step from one to the next and the stride between components, in items; rows of
-# `varying` and `slopes` are `row` items apart; `room` has space for a tile of all components and channels.
-_EVALUATE = """
-@numba.njit("void({signature})", cache=True, nogil=True, **options)
-def evaluate(wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, varying, row, out, out_step, out_stride, room, first, last):
-    for start in range(first, last, TILE):
-        count = min(TILE, last - start)
-        i, i_row = columns(3, wi + ITEM * start * wi_step, wi_step, wi_stride, room, count)
-        o, o_row = columns(3, wo + ITEM * start * wo_step, wo_step, wo_stride, room + 3 * ITEM * TILE, count)
-        f, f_row = out + ITEM * start * out_step, out_stride
-        if out_step != 1:
-            f, f_row = room + 6 * ITEM * TILE, TILE
-        span(i, i_row, o, o_row, constants, varying + ITEM * start, row, f, f_row, count)
-        if out_step != 1:
-            scatter({channels}, f, out + ITEM * start * out_step, out_step, out_stride, count)
-"""
-
-# Rows of `length` directions, each with values of its own for what is uniform over it: `width` constants, and where its directions begin.
-_APART = """
-@numba.njit("void({signature})", cache=True, nogil=True, **options)
-def apart(wi_at, wi_step, wi_stride, wo_at, wo_step, wo_stride, constants, width, out, out_step, out_stride, length, room, first, last):
-    for k in range(first, last):
-        evaluate(
-            load(np.int64, wi_at, k - first, "apart", 1), wi_step, wi_stride, load(np.int64, wo_at, k - first, "apart", 1), wo_step, wo_stride,
-            constants + ITEM * width * (k - first), 0, 0, out + ITEM * k * length * out_step, out_step, out_stride, room, 0, length,
-        )
-"""
-
-_GRADIENT = """
-@numba.njit("void({signature})", cache=True, nogil=True, **options)
-def gradient(
-    wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, varying, row, seed, seed_step, seed_stride, slopes, totals,
-    room, first, last,
-):
-    for start in range(first, last, TILE):
-        count = min(TILE, last - start)
-        i, i_row = columns(3, wi + ITEM * start * wi_step, wi_step, wi_stride, room, count)
-        o, o_row = columns(3, wo + ITEM * start * wo_step, wo_step, wo_stride, room + 3 * ITEM * TILE, count)
-        f, f_row = columns({channels}, seed + ITEM * start * seed_step, seed_step, seed_stride, room + 6 * ITEM * TILE, count)
-        span(i, i_row, o, o_row, constants, varying + ITEM * start, row, f, f_row, slopes + ITEM * start, totals, count)
-"""
-
-# `u` are two random numbers; what is sampled is brought from rows into three arrays.
-_SAMPLE = """
-@numba.njit("void({signature})", cache=True, nogil=True, **options)
-def sample(
-    wi, wi_step, wi_stride, u, u_step, u_stride, constants, varying, row, wo, wo_step, wo_stride, density, weight, weight_step, weight_stride,
-    room, first, last,
-):
-    f = room + 5 * ITEM * TILE
-    for start in range(first, last, TILE):
-        count = min(TILE, last - start)
-        i, i_row = columns(3, wi + ITEM * start * wi_step, wi_step, wi_stride, room, count)
-        o, o_row = columns(2, u + ITEM * start * u_step, u_step, u_stride, room + 3 * ITEM * TILE, count)
-        span(i, i_row, o, o_row, constants, varying + ITEM * start, row, f, TILE, count)
-        scatter(3, f, wo + ITEM * start * wo_step, wo_step, wo_stride, count)
-        scatter(1, f + 3 * ITEM * TILE, density + ITEM * start, 1, 1, count)
-        scatter({channels}, f + 4 * ITEM * TILE, weight + ITEM * start * weight_step, weight_step, weight_stride, count)
-"""
 
 
 @dataclass(frozen=True)
@@ -180,19 +75,43 @@ def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     scalar
         ``"float32"`` or ``"float64"``.
     """
+    spoken = WORDLESS.isdisjoint(symbol.op for symbol in tracing.live(trace.outputs))
+    span, constants, rows = _program(trace, varying, scalar) if spoken else _forward(trace, varying)
+    driver = drivers.EVALUATE.format(signature=signature(15), channels=len(trace.outputs))
+    text = _module(trace, "Evaluates a reflectance model", scalar, span, driver)
+    return Kernel(text, "evaluate", tuple(constants), tuple(rows))
+
+
+def table(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
+    """The kernel that computes the outputs of a trace, any number of them, at places where parameters vary: rows in, rows out, as `evaluation`."""
     span, constants, rows = _forward(trace, varying)
-    driver = _EVALUATE.format(signature=signature(15), channels=len(trace.outputs))
-    return Kernel(
-        _module(trace, "Evaluates a reflectance model", scalar, span, driver), "evaluate", tuple(constants), tuple(rows)
-    )
+    text = _module(trace, "Tabulates", scalar, span, drivers.TABLE.format(signature=signature(15)))
+    return Kernel(text, "evaluate", tuple(constants), tuple(rows), width=len(trace.outputs))
 
 
 def sampling(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     """The kernel that chooses directions; its trace is that of a sample, and the rest as for `evaluation`."""
     span, constants, rows = _forward(trace, varying)
-    driver = _SAMPLE.format(signature=signature(19), channels=len(trace.outputs) - 4)
+    driver = drivers.SAMPLE.format(signature=signature(19), channels=len(trace.outputs) - 4)
     text = _module(trace, "Samples a reflectance model", scalar, span, driver)
     return Kernel(text, "sample", tuple(constants), tuple(rows))
+
+
+def _program(trace: Trace, varying: Collection[str], scalar: str) -> tuple[str, list[Symbol], list[TracedParameter]]:
+    """What `_forward` gives, as a program of vectors."""
+    rows, leaves = _leaves(trace, varying)
+    outputs = without_division(trace.outputs, leaves)
+    constants = tracing.frontier(outputs, tracing.dependence(outputs, leaves), PARAMETERS)
+    kind = "F" if scalar == "float32" else "D"
+    places = {symbol: f"splat constants {kind} {k}" for k, symbol in enumerate(constants)}
+    for k, symbol in enumerate(trace.directions):
+        places[symbol] = f"row {'io'[k // 3]} {kind} {k % 3}*{'io'[k // 3]}_row+n"
+    places |= {p.symbol: f"row varying {kind} {k}*row+n" for k, p in enumerate(rows)}
+    lines, names = computed(outputs, places, special=_words(outputs, _inputs(leaves)))
+    lines += [f"put f {kind} {c}*f_row+n {names[output]}" for c, output in enumerate(outputs)]
+    arguments = "i, i_row, o, o_row, constants, varying, row, f, f_row, count"
+    text = intrinsic("stretch", f'vectors.stretch(WHOLE, "{kind}", ', arguments.split(", "), lines)
+    return f"{text}\n\n\n@part\ndef span({arguments}):\n    stretch({arguments})", constants, rows
 
 
 def _forward(trace: Trace, varying: Collection[str]) -> tuple[str, list[Symbol], list[TracedParameter]]:
@@ -213,13 +132,13 @@ def numbers(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     found = _constants(trace)
     one, zero = trace.graph.constant(1.0), trace.graph.constant(0.0)
     outputs = tuple(trace.graph.where(c, one, zero) if c.op in ("lt", "le", "gt", "ge") else c for c in found)
-    return replace(evaluation(replace(trace, outputs=outputs), varying, scalar), width=len(outputs))
+    return table(replace(trace, outputs=outputs), varying, scalar)
 
 
 def apart(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     """The kernel that evaluates a model at rows of directions, with parameters that are uniform over each row."""
     kernel = evaluation(trace, (), scalar)
-    return Kernel(joined(kernel.source, _APART.format(signature=signature(15))), "apart", (), ())
+    return Kernel(joined(kernel.source, drivers.APART.format(signature=signature(15))), "apart", (), ())
 
 
 def worth_apart(trace: Trace, varying: Collection[str]) -> bool:
@@ -274,7 +193,7 @@ def gradient(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
         for k in range(len(totals))
     ]
     span = _span("i, i_row, o, o_row, constants, varying, row, f, f_row, slopes, totals, count", before, body, after)
-    driver = _GRADIENT.format(signature=signature(17), channels=len(seed_leaves))
+    driver = drivers.GRADIENT.format(signature=signature(17), channels=len(seed_leaves))
     text = _module(trace, "Derivatives of a reflectance model", scalar, span, driver)
     return Kernel(text, "gradient", tuple(constants), tuple(rows), tuple(totals))
 
@@ -287,15 +206,25 @@ def functions(scalar: str) -> str:
 def _target(outputs: Sequence[Symbol], leaves: Collection[Symbol]) -> Target:
     """How to print `outputs`, of which `leaves` may be NaN."""
     special = {}
+    for symbol, (word, args) in _words(outputs, leaves).items():
+        a, b = ("{0}", "{1}") if args[0] is symbol.args[0] else ("{1}", "{0}")
+        special[symbol] = f"{word}({{0}})" if len(args) == 1 else _EXTREMA[word].format(a=a, b=b)
+    return Target(_TEMPLATES, _constant, special=special)
+
+
+def _words(outputs: Sequence[Symbol], leaves: Collection[Symbol]) -> dict[Symbol, tuple[str, tuple[Symbol, ...]]]:
+    """How to compute extrema and arc sines of `outputs`, of which `leaves` may be NaN: a word and its arguments."""
+    words: dict[Symbol, tuple[str, tuple[Symbol, ...]]] = {}
     careful = nan.careful(outputs, leaves)
     for symbol in tracing.live(outputs):
-        if symbol.op in _EXTREMA:
-            order = {"a": "{0}", "b": "{1}"} if nan.first(symbol) is symbol.args[0] else {"a": "{1}", "b": "{0}"}
-            special[symbol] = _EXTREMA[symbol.op][symbol in careful].format(**order)
+        if symbol.op in _CAREFUL:
+            a, b = symbol.args
+            order = (a, b) if nan.first(symbol) is a else (b, a)
+            words[symbol] = (_CAREFUL[symbol.op] if symbol in careful else symbol.op), order
         elif symbol.op == "asin" and symbol.args[0].op == "minimum":
             # directions.polar_angle: the smaller of a sine and a cosine is at most sin(pi/4).
-            special[symbol] = "asin_near({0})"
-    return Target(_TEMPLATES, _constant, special=special)
+            words[symbol] = "asin_near", symbol.args
+    return words
 
 
 def _constant(value: float | bool) -> str:
@@ -365,14 +294,14 @@ def signature(count: int) -> str:
 
 def _header(title: str, scalar: str) -> str:
     integer, item = ("int32", 4) if scalar == "float32" else ("int64", 8)
-    return _HEADER.format(title=title, scalar=scalar, integer=integer, item=item, tile=TILE)
+    return drivers.HEADER.format(title=title, scalar=scalar, integer=integer, item=item, whole=WHOLE, tile=TILE)
 
 
 def _module(trace: Trace, title: str, scalar: str, span: str, driver: str) -> str:
     needs = any(f"{name}(" in span for name in ELEMENTARY)
     title = f"{title}: generated by Motes, {len(trace.outputs)} output(s), {scalar}."
     functions = elementary.source(elementary.PRECISIONS[scalar]) if needs else ""
-    return joined(_header(title, scalar), functions, _COLUMNS, span, driver)
+    return joined(_header(title, scalar), functions, drivers.COLUMNS, span, driver)
 
 
 def joined(*parts: str) -> str:

@@ -74,7 +74,13 @@ class Lanes:
             return self._log1p(args[0])
         if op == "cbrt":
             return self._cbrt(args[0])
-        # asin belongs to directions, which NumPy computes
+        if op == "asin":
+            return self._asin(args[0])
+        if op == "asin_near":
+            return self._asin_near(args[0])
+        if op in ("least", "most"):  # minimum and maximum that are NaN where either is
+            first = b.fcmp_ordered("<" if op == "least" else ">", *args)
+            return b.select(b.or_(first, b.fcmp_unordered("uno", args[0], args[0])), *args)
         raise ValueError(f"no vector instructions are known for {op}")
 
     # ------------------------------------------------------------ in short
@@ -128,6 +134,21 @@ class Lanes:
         bits = b.add(b.bitcast(shifted, self.words), self.whole(p.bias - 1))
         s = b.bitcast(b.shl(bits, self.whole(p.fraction)), self.vector)
         return s, self._fused(self._polynomial(p.exp, r), self._mul(r, r), r)
+
+    def _asin_near(self, x: Any) -> Any:
+        z = self._mul(x, x)
+        return self._fused(self._polynomial(self.precision.asin, z), self._mul(z, x), x)
+
+    def _asin(self, x: Any) -> Any:
+        """As ``asin`` of `motes.printing.elementary`."""
+        b, number = self.builder, self.number
+        negative = b.fcmp_ordered("<", x, number(0.0))
+        a = b.select(negative, b.fneg(x, flags=FLAGS), x)
+        far = b.fcmp_ordered(">", a, number(0.70715))
+        root = self._called("sqrt", self._mul(self._sub(number(1.0), a), self._add(number(1.0), a)))
+        y = self._asin_near(b.select(far, root, a))
+        y = b.select(far, self._sub(number(1.5707963267948966), y), y)
+        return b.select(negative, b.fneg(y, flags=FLAGS), y)
 
     def _log1p(self, x: Any) -> Any:
         b, number, p = self.builder, self.number, self.precision

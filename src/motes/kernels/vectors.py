@@ -99,6 +99,45 @@ def sums(lanes: int, run: int, count: int, step: int, program: str, *arguments: 
     return types.void(*arguments), generate
 
 
+def stretch(most: int, scalar: str, program: str, *arguments: Any) -> Intrinsic:
+    """Signature and code of an intrinsic that runs `program` over long rows, for two of the processor's vectors at a time, or `most` lanes if these are fewer.
+
+    The program may use ``n``, the first item of such a step, in indices; one of its arguments is ``count``, a multiple of `most`.  What it says with
+    ``splat`` and ``const`` is the same for all steps, and done once before.  Two vectors, because a processor waits for the one's divisions and
+    polynomials where it has nothing else to do.
+    """
+    names, lines = _parsed(program)
+    uniform, rest = _uniform(lines)
+
+    def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        given = dict(zip(names, args, strict=True))
+        size = 4 if scalar == "F" else 8
+        writer = _Writer(builder, min(most, 2 * _vector_bytes(context) // size), scalar, given)
+        builder.function.attributes.add("noinline")  # within another function the stack would not be aligned
+        values = writer.run(uniform, {})
+        zero, step = ir.Constant(_WORD, 0), ir.Constant(_WORD, writer.lanes)
+        with cgutils.for_range_slice(builder, zero, given["count"], step, _WORD) as (n, _):
+            writer.run(rest, {"n": n}, values)
+        return context.get_dummy_value()
+
+    return types.void(*arguments), generate
+
+
+def _uniform(lines: list[list[str]]) -> tuple[list[list[str]], list[list[str]]]:
+    """The lines of a program that are the same wherever it runs, and the others."""
+    same: set[str] = set()
+    for line in lines:
+        if line[1] == "=" and (line[2] in ("splat", "const") or (line[2] == "true" and line[3] in same)):
+            same.add(line[0])
+    return [line for line in lines if line[0] in same], [line for line in lines if line[0] not in same]
+
+
+def _vector_bytes(context: Any) -> int:
+    """The bytes of a vector of the processor that is compiled for."""
+    features = set(context.codegen().magic_tuple()[2].split(","))
+    return 64 if "+avx512f" in features else 32 if "+avx" in features else 16
+
+
 def transposed(lanes: int, source: Any, stride: Any, last: Any, first: Any, target: Any) -> Intrinsic:
     """Signature and code of an intrinsic that brings `PIECE` numbers of each of 16 lanes into rows of lanes.
 
@@ -167,8 +206,10 @@ class _Writer(Lanes):
         builder.function.attributes.add("nounwind")  # llvmlite writes no attributes where there are none of this kind
         self.addresses = addresses
 
-    def run(self, lines: list[list[str]], indices: Mapping[str, Any]) -> dict[str, Any]:
-        values: dict[str, Any] = {}
+    def run(
+        self, lines: list[list[str]], indices: Mapping[str, Any], known: Mapping[str, Any] | None = None
+    ) -> dict[str, Any]:
+        values: dict[str, Any] = dict(known or {})
         self._exponentials = {}
         for line in lines:
             if line[0] in ("put", "add"):

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from motes.graph.dependence import live
 from motes.graph.tracing import Symbol
+from motes.kernels.programs import computed, intrinsic
 
 LANES = 16  # texels in a block: two vectors of eight floats
 
@@ -86,43 +86,3 @@ def each_function(
     for k, symbol in enumerate(results):
         lines.append(f"put {target} F sample*{len(results) * LANES}+{k * LANES} {names[symbol]}")
     return intrinsic(name, "vectors.each(LANES, ", [*arguments, target], lines)
-
-
-def computed(
-    outputs: Sequence[Symbol],
-    places: Mapping[Symbol, str],
-    known: Mapping[Symbol, str] | None = None,
-    suffix: str = "",
-) -> tuple[list[str], dict[Symbol, str]]:
-    """The lines of a program that computes `outputs`, and all names in it; `known` are names of lines before."""
-    lines: list[str] = []
-    names = dict(known or {})
-    for k, symbol in enumerate(live(outputs, {*places, *names})):
-        if symbol in names:
-            continue
-        if symbol in places:
-            name = names[symbol] = f"a{k}{suffix}"
-            lines.append(f"{name} = {places[symbol]}")
-            if is_truth(symbol):
-                names[symbol] = f"{name}_"
-                lines.append(f"{name}_ = true {name}")
-            continue
-        name = names[symbol] = f"t{k}{suffix}"
-        if symbol.op == "leaf":
-            raise KeyError(f"the leaf {symbol!r} was not given")
-        if symbol.op == "constant":
-            lines.append(f"{name} = const {symbol.value!r}")
-        else:
-            lines.append(f"{name} = {symbol.op} {' '.join(names[a] for a in symbol.args)}")
-    return lines, names
-
-
-def is_truth(symbol: Symbol) -> bool:
-    return symbol.op in ("lt", "le", "gt", "ge")
-
-
-def intrinsic(name: str, call: str, arguments: Sequence[str], lines: Sequence[str]) -> str:
-    """The text of an intrinsic of `motes.kernels.vectors`."""
-    given = ", ".join(arguments)
-    program = "\n".join([" ".join(arguments), *lines])
-    return f'@intrinsic\ndef {name}(typing, {given}):\n    program = """\n{program}\n"""\n    return {call}program, {given})'

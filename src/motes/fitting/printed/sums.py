@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from motes.fitting.printed.rows import LANES, Rows, computed, intrinsic
+from motes.fitting.printed.rows import LANES, Rows
 from motes.graph.dependence import live
 from motes.graph.tracing import Symbol
+from motes.kernels.programs import computed, intrinsic
 
 UNROLL = 4  # samples whose terms are added before they go to memory; few where a formula is long
 LONG = 150
