@@ -62,7 +62,7 @@ def viewer(effort: Effort) -> Section:
         for number in range(rounds):
             for name, file in pages.items():
                 with browser(playwright) as running:
-                    first, frames = moving(running, file, square, effort.pick(0.5, 5.0), effort.pick(0.0, SETTLED))
+                    first, frames = moving(running, file, square, effort.pick(0.5, 4.0), effort.pick(0.0, SETTLED))
                     found.setdefault(f"{name}_first", []).append(first)
                     found.setdefault(f"{name}_frames", []).append(frames)
                     if number == 0:  # the longest, and the same work each time
