@@ -116,7 +116,7 @@ class Job:
         """What to compute for a chunk: all of it at once, or the rows of an outer product."""
         first, last = self.range(chunk)
         if self.wi.ndim == self.wo.ndim == 2:
-            yield Piece(place(self.wi), place(self.wo), first, last)
+            yield Piece(*self._places, first, last)
             return
         length, slab = self.shape[-1], self._slab
         if length < LONG:
@@ -132,6 +132,10 @@ class Job:
             end = min(last, (row + 1) * length)
             yield Piece(wi.place(row), wo.place(row), first, end)
             first = end
+
+    @cached_property
+    def _places(self) -> tuple[tuple[int, int, int], tuple[int, int, int]]:
+        return place(self.wi), place(self.wo)  # NumPy takes some microseconds to say where an array is, in each chunk
 
     @cached_property
     def _rows(self) -> tuple[_Rows, _Rows]:

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from motes.directions import SMALLEST_COSINE
 from motes.graph import nan, tracing
 from motes.graph.tracing import DIRECTIONS, PARAMETERS, Symbol, Trace, TracedParameter
 from motes.kernels import drivers
@@ -232,15 +233,29 @@ def _constant(value: float | bool) -> str:
 
 
 def without_division(outputs: Sequence[Symbol], leaves: Mapping[Symbol, int]) -> list[Symbol]:
-    """Division by what is constant becomes multiplication by its inverse, one more constant: one rounding more, and much faster."""
+    """Fewer divisions; each change is one rounding more.
+
+    Division by what is constant becomes multiplication by its inverse, one more constant, which is much faster.  1/a + 1/b becomes (a + b) / (a b)
+    where both are clamped cosines.
+    """
     bits = tracing.dependence(outputs, leaves)
 
     def rule(symbol: Symbol, args: tuple[Symbol, ...]) -> Symbol | None:
+        if symbol.op == "add" and all(_inverse_of_clamped(a) for a in args):
+            a, b = (quotient.args[1] for quotient in args)
+            return (a + b) / (a * b)
         if symbol.op != "div" or bits[symbol.args[1]] != PARAMETERS or not bits[symbol] & DIRECTIONS:
             return None
         return args[0] * (1.0 / args[1])
 
     return tracing.rewritten(outputs, rule)
+
+
+def _inverse_of_clamped(symbol: Symbol) -> bool:
+    """Whether this is 1/a of an a that is kept so far from 0 that a product of two of them is a normal number in float32."""
+    if symbol.op != "div" or not symbol.args[0].is_constant(1) or symbol.args[1].op != "maximum":
+        return False
+    return any(a.op == "constant" and a.value >= SMALLEST_COSINE for a in symbol.args[1].args)
 
 
 def _leaves(trace: Trace, varying: Collection[str]) -> tuple[list[TracedParameter], dict[Symbol, int]]:
