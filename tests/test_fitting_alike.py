@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import numpy as np
@@ -10,7 +11,7 @@ from numpy.typing import NDArray
 
 import motes
 from motes.directions import from_spherical
-from motes.fitting.alike import APART, FEWEST, MOST, MOST_DIRECTIONS, STEP, count_of_blocks, distance_alike
+from motes.fitting.alike import APART, FEWEST, MOST, MOST_DIRECTIONS, SIDE, STEP, count_of_blocks, distance_alike
 from motes.measurements import Measurement
 from scattered_directions import scattered
 
@@ -33,6 +34,19 @@ def test_the_distance_is_that_at_which_a_known_correlation_is_lost(length: float
     assert distance_alike(at, rng.standard_normal((400, 300))) == 0.5 * STEP
 
 
+def test_the_distance_is_that_of_pairs_taken_one_by_one() -> None:
+    rng = np.random.default_rng(7)
+    for count, scans, wave in ((40, 1, 3.0), (90, 2, 5.0), (90, 1, 9.0)):
+        at = rng.uniform(0, 1.2, (count, 3))
+        sums = np.sin(wave * at.sum(axis=1) + np.arange(scans)[:, None]) + 0.2 * rng.standard_normal((scans, count))
+        products: dict[int, list[float]] = {}
+        for i, j in itertools.combinations(range(count), 2):
+            products.setdefault(int(math.dist(at[i], at[j]) / STEP), []).append(float(sums[:, i] @ sums[:, j]))
+        least = APART * np.mean(np.sum(sums**2, axis=0))
+        first = next(step for step in sorted(products) if np.mean(products[step]) < least)
+        assert distance_alike(at, sums) == pytest.approx(STEP * (first + 0.5))
+
+
 def test_steps_in_which_no_pair_lies_say_nothing_and_what_is_alike_everywhere_is_one() -> None:
     lattice = np.stack(np.meshgrid(*[np.arange(5) * 0.2] * 3), axis=-1).reshape(-1, 3)
     found = distance_alike(lattice, independent(125)[..., 0])
@@ -45,8 +59,10 @@ def test_independent_residuals_get_the_most_blocks_and_broad_ones_the_fewest() -
     wi, wo = scattered(400)
     assert count_of_blocks(wi, wo, independent(400)) == MOST
     assert count_of_blocks(wi, wo, np.ones((1, 400, 3))) == FEWEST
-    between = (np.sin(8 * wi[:, 2]) * np.sin(8 * wo[:, 2]))[None, :, None]
-    assert FEWEST < count_of_blocks(wi, wo, between) < MOST
+    between = (np.sin(6.5 * wi[:, 2]) * np.sin(6.5 * wo[:, 2]))[None, :, None]
+    counts = [count_of_blocks(wi, wo, between, side) for side in (SIDE + 0.2, SIDE, SIDE - 0.1)]
+    assert FEWEST < counts[0] < counts[1] < counts[2] < MOST
+    assert count_of_blocks(wi, wo, between) == count_of_blocks(wi, wo, between, SIDE) == counts[1]
 
 
 def test_what_goes_together_in_each_scan_does_though_scans_differ() -> None:
@@ -63,16 +79,16 @@ def test_directions_in_one_plane_are_cut_along_what_they_vary_in() -> None:
 
 
 def test_many_directions_are_told_by_a_part_of_them_in_any_order() -> None:
-    count = 5 * MOST_DIRECTIONS
+    count, side = 5 * MOST_DIRECTIONS, 1.5
     wi, wo = scattered(count)
     broad = (np.sin(6 * wi[:, 2]) * np.sin(6 * wo[:, 2]))[None, :, None]
-    assert FEWEST < count_of_blocks(wi, wo, broad + 0.5 * independent(count, 1)) < MOST
+    assert FEWEST < count_of_blocks(wi, wo, broad + 0.5 * independent(count, 1), side) < MOST
     order = np.random.default_rng(3).permutation(count)
     found = []
     for noise in np.linspace(0.1, 1.5, 15):  # another part of the directions would give another count for some of these
         misses = broad + noise * independent(count, 1)
-        found.append(count_of_blocks(wi, wo, misses))
-        assert count_of_blocks(wi[order], wo[order], misses[:, order]) == found[-1]
+        found.append(count_of_blocks(wi, wo, misses, side))
+        assert count_of_blocks(wi[order], wo[order], misses[:, order], side) == found[-1]
     assert len(set(found)) > 2
 
 

@@ -26,7 +26,7 @@ os.environ.setdefault("NUMBA_NUM_THREADS", "1")
 
 import numpy as np
 from calibration_page import BINS, COLOURS, NAMES, SIZE, SURE, Ranks, coverage_panel, rank_panel, row
-from coverage_study import DENSE, MODEL, NOISE, directions, eon, gtr
+from coverage_study import MODEL, NOISE, directions, eon, gtr
 from numpy.typing import NDArray
 from scipy import optimize, stats
 
@@ -42,6 +42,8 @@ from motes.measurements import Measurement
 Floats = NDArray[np.float64]
 #: In a part of a map: texels cost a thousandth of a static fit.
 TEXELS = 200
+#: What the nearest that a model can come is taken from, in static fits and maps.
+DENSE = 6000
 ROOT = Path(__file__).resolve().parents[1]
 HOURS = np.linspace(0.0, 6.0, 6)
 TRENDS = {"K_d": "exponential", "K_s": "linear"}
@@ -295,7 +297,7 @@ def page(lines: list[str]) -> str:
         "the normal distribution about the estimate. What follows is coverage at all levels, over truths of a wide prior; it is not a statement about one truth given its data.",
         "",
         "Truths: K_d from 0.2 to 0.8, sigma_d from 0.2 to 0.7, K_s from 0.1 to 0.4, sigma_s from 0.1 to 0.3, or materials of EON + GTR, where the truth is what the model comes to that sees",
-        f"1,000 to {DENSE:,} directions without noise. Noise is {100 * NOISE:.0f} %, directions are drawn anew for each static fit and each fit over time (205 and 100 of them), and are the same for all texels",
+        f"1,000 to {DENSE:,} directions without noise (those of so few are themselves somewhat off, which makes the rows of EON + GTR worse; [uncertainty.md](uncertainty.md) takes more). Noise is {100 * NOISE:.0f} %, directions are drawn anew for each static fit and each fit over time (205 and 100 of them), and are the same for all texels",
         "of a map. Fits over time have six scans of a body that brightens and a highlight that fades, and are asked at a time of their own.",
         "",
         "| fits | data made by | errors | repeats | with an error | held by 50, 68, 95, 99 % | K_d | sigma_d | K_s | sigma_s |",
