@@ -22,7 +22,7 @@ MINUTES ?= 1
 
 LOWEST ?= .venv-lowest
 # What each package is used for, in minutes: numbers and kernels, pictures, tables, maps and clusters, meshes, rendering, exports.
-LOWEST_TESTS := $(patsubst %,tests/test_%.py,models equations fitting_solver graph_tracing kernels_numba material images files_spreadsheet \
+LOWEST_TESTS := $(patsubst %,tests/test_%.py,models equations fitting_solver graph_tracing kernels_loops material images files_spreadsheet \
 	measurements_tables measurements_readers maps_making maps_cluster meshes_files rendering_scenes rendering_plugins exports_materialx exports_usd \
 	certification_glsl soiling gltf cli)
 

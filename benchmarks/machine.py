@@ -10,7 +10,7 @@ from pathlib import Path
 
 import motes
 
-PACKAGES = ("numpy", "numba", "llvmlite", "scipy", "torch", "mitsuba", "drjit", "zarr", "dask")
+PACKAGES = ("numpy", "llvmlite", "scipy", "torch", "mitsuba", "drjit", "zarr", "dask")
 
 
 def description() -> dict[str, str]:

@@ -6,17 +6,15 @@ which LLVM's own vectoriser does not make out of single stores, so the kernel is
 
 from __future__ import annotations
 
+import functools
 from typing import Any
 
-import numba
 import numpy as np
-from llvmlite import ir
-from numba.core import types
-from numba.extending import intrinsic
 from numpy.typing import NDArray
 
 from motes import workers
-from motes.kernels import engine
+from motes.kernels import engine, machine_code
+from motes.kernels.assembly import FLOAT, WORD, Assembly, Builder, Value, number, vector
 
 LANES = 8  # float32 in a vector of 32 bytes; narrower machines take it in parts
 CHUNK = 65_536
@@ -30,26 +28,27 @@ def aligned(rows: int, n: int) -> NDArray[np.float32]:
     return memory[first : first + rows * n].reshape(rows, n)
 
 
-@intrinsic
-def _stream(typing: Any, a: Any, b: Any, out: Any, offset: Any) -> Any:
-    """Load a vector at each of the addresses `a` and `b`, and store their sum at `out`, past the caches; `offset` in bytes."""
+def _text() -> str:
+    """LLVM's text of a function that loads vectors at two addresses and stores their sums at a third, past the caches; three rows of them."""
+    module = Assembly()
+    builder = Builder(module)
+    a, b, out, stride, first, last = given = [Value(WORD, f"%a{k}") for k in range(6)]
+    past_caches = f", !nontemporal {module.metadata('!{i32 1}')}"
+    with builder.loop(number(WORD, 0), number(WORD, 3), 1) as row, builder.loop(first, last, LANES) as k:
+        item = builder.binary("add", builder.binary("mul", row, stride), k)
+        offset = builder.binary("mul", item, number(WORD, 4))
+        x, y, target = (builder.pointer(builder.binary("add", place, offset)) for place in (a, b, out))
+        kind = vector(LANES, FLOAT)
+        total = builder.binary("fadd", builder.load(kind, x, 4), builder.load(kind, y, 4))
+        builder.store(total, target, 4 * LANES, past_caches)
+    builder.lines.append("ret void")
+    module.functions.append(builder.function("rows", "void", given, "nounwind"))
+    return module.text()
 
-    def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        vector = ir.VectorType(ir.FloatType(), LANES).as_pointer()
-        x, y, target = (builder.inttoptr(builder.add(base, args[3]), vector) for base in args[:3])
-        total = builder.fadd(builder.load(x, align=4), builder.load(y, align=4))
-        store = builder.store(total, target, align=4 * LANES)
-        store.set_metadata("nontemporal", builder.module.add_metadata([ir.Constant(ir.IntType(32), 1)]))
-        return context.get_dummy_value()
 
-    return types.none(*[types.int64] * 4), generate
-
-
-@numba.njit("void(int64, int64, int64, int64, int64, int64)", nogil=True)
-def _rows(a, b, out, stride, first, last):  # type: ignore[no-untyped-def]
-    for row in range(3):
-        for k in range(first, last, LANES):
-            _stream(a, b, out, 4 * (row * stride + k))
+@functools.cache
+def _rows() -> machine_code.Kernel:
+    return machine_code.loaded(machine_code.compiled(_text()), {"rows": (6, False)})["rows"]
 
 
 def stream(a: NDArray[np.float32], b: NDArray[np.float32], out: NDArray[np.float32]) -> None:
@@ -57,17 +56,17 @@ def stream(a: NDArray[np.float32], b: NDArray[np.float32], out: NDArray[np.float
     n = out.shape[1]
     if n % LANES or out.ctypes.data % (4 * LANES) or not all(x.flags.c_contiguous for x in (a, b, out)):
         raise ValueError(f"rows of {n} are not whole vectors, or not aligned")
-    places = [engine.address(x) for x in (a, b, out)]
+    places, rows = [engine.address(x) for x in (a, b, out)], _rows()
 
     def work(chunk: int, room: Any) -> None:
-        _rows(*places, n, chunk * CHUNK, min(n, (chunk + 1) * CHUNK))
+        rows(*places, n, chunk * CHUNK, min(n, (chunk + 1) * CHUNK))
 
     workers.spread(-(-n // CHUNK), work, lambda: np.empty(0))
 
 
 def instructions() -> list[str]:
     """The machine's instructions that store past the caches."""
-    (assembly,) = _rows.inspect_asm().values()
+    assembly = machine_code.assembly(_text())
     return sorted(
         {line.split()[0] for line in assembly.splitlines() if line.strip().startswith(("vmovnt", "movnt", "stnp"))}
     )

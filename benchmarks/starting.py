@@ -26,18 +26,18 @@ COMMANDS = {
     "numpy": ["-c", "import numpy"],
     "motes": ["-c", "import motes"],
     "help": ["-m", "motes.cli.main", "--help"],
-    "numba": ["-c", "import numba"],
+    "llvmlite": ["-c", "import llvmlite.binding"],
 }
 LABELS = {
     "python": "Python alone",
     "numpy": "`import numpy`",
     "motes": "`import motes`",
     "help": "`motes --help`",
-    "numba": "`import numba`, which the first compiled call needs",
+    "llvmlite": "`import llvmlite.binding`, which the first compiled call needs",
 }
 FIRST_CALL = """
 import time
-import numba
+import llvmlite.binding
 import numpy as np
 from motes.kernels import engine
 from rivals import SURFACE  # beside this file

@@ -310,7 +310,7 @@ def modules(*arguments: str) -> set[str]:
 
 
 HEAVY = {
-    "numba",
+    "llvmlite",
     "matplotlib",
     "scipy",
     "xarray",

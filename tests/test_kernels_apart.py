@@ -8,12 +8,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-pytest.importorskip("numba")
+pytest.importorskip("llvmlite")
 
 from motes import BRDF, Dust, DustLayer, Lambert, OrenNayar, TorranceSparrow
 from motes.graph import tracing
-from motes.kernels import engine, jobs
-from motes.kernels import numba as numba_code
+from motes.kernels import engine, jobs, loops
 
 TEXELS, SEEN = 7, 40
 RNG = np.random.default_rng(5)
@@ -24,7 +23,7 @@ COLORS = RNG.uniform(0.1, 0.9, (TEXELS, 1, 3))
 @pytest.fixture
 def apart(monkeypatch: pytest.MonkeyPatch) -> None:
     """Models that are compiled in a second have their numbers computed apart, too."""
-    monkeypatch.setattr(numba_code, "LEAST_APART", 1)
+    monkeypatch.setattr(loops, "LEAST_APART", 1)
     monkeypatch.setattr(engine, "_worth", {})
 
 
@@ -113,5 +112,5 @@ def test_it_is_for_models_with_much_to_compute_beforehand() -> None:
     tau = np.array([[0.1], [0.2]])
     for scattering, worth in (("single", False), ("multiple", True)):
         trace = tracing.trace(DustLayer(Lambert(0.5), Dust(0.9), tau, scattering))
-        assert numba_code.worth_apart(trace, ("tau",)) is worth
-        assert not numba_code.worth_apart(trace, ("base.K_d",))
+        assert loops.worth_apart(trace, ("tau",)) is worth
+        assert not loops.worth_apart(trace, ("base.K_d",))

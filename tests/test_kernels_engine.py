@@ -16,14 +16,14 @@ from catalogue import ENTRIES, SPECIAL_WI, SPECIAL_WO, jax_in_float64, reference
 from engine_support import risky_pairs
 from golden import appendices
 
-pytest.importorskip("numba")
+pytest.importorskip("llvmlite")
 
 from motes import workers
 from motes.arrays import namespace
 from motes.directions import Geometry, Vector
 from motes.errors import DataError, ParameterError
 from motes.kernels import engine, jobs
-from motes.kernels.numba import TILE
+from motes.kernels.loops import TILE
 from motes.models import BRDF, Dust, DustLayer, Lambert, OrenNayar, TorranceSparrow
 
 BY_NAME = {entry.name: entry for entry in ENTRIES}

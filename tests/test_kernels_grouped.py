@@ -8,12 +8,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-pytest.importorskip("numba")
+pytest.importorskip("llvmlite")
 
 from motes import BRDF, Dust, DustLayer, Lambert, OrenNayar, TorranceSparrow
 from motes.graph import tracing
-from motes.kernels import engine, grouped, jobs
-from motes.kernels import numba as numba_code
+from motes.kernels import engine, grouped, jobs, loops
 
 COUNT = jobs.MANY + 1234  # no whole number of vectors or tiles
 RNG = np.random.default_rng(8)
@@ -32,7 +31,7 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> Calls:
         return found[-1]
 
     monkeypatch.setattr(engine, "_evaluate_grouped", noted)
-    monkeypatch.setattr(numba_code, "LEAST_APART", 1)
+    monkeypatch.setattr(loops, "LEAST_APART", 1)
     monkeypatch.setattr(engine, "_grouped", {})
     return found
 
@@ -146,7 +145,7 @@ def test_polynomials_are_judged_at_the_ends() -> None:
 def test_a_parameter_is_grouped_by_where_much_depends_on_it_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     trace = tracing.trace(surface(SIGMA), 3)
     assert grouped.grouping(trace, ("sigma_d",)) is None  # a few operations only
-    monkeypatch.setattr(numba_code, "LEAST_APART", 1)
+    monkeypatch.setattr(loops, "LEAST_APART", 1)
     found = grouped.grouping(trace, ("sigma_d", "K_s"))
     assert found is not None
     assert found.parameter.slot == "sigma_d"

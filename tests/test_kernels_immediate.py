@@ -222,7 +222,7 @@ def test_what_is_kept_of_a_model_goes_with_it() -> None:
 
 
 def test_many_directions_go_through_the_engine(monkeypatch: pytest.MonkeyPatch) -> None:
-    pytest.importorskip("numba")
+    pytest.importorskip("llvmlite")
     wi = upper_directions(20, 17)
     expected = PAINT.eval(wi, wi)
     seen = []

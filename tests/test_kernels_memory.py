@@ -82,7 +82,7 @@ def test_no_more_is_kept_than_allowed(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_results_that_are_held_stay_as_they_are() -> None:
-    pytest.importorskip("numba")
+    pytest.importorskip("llvmlite")
     wi, wo = upper_directions(150_000, 1), upper_directions(150_000, 2)
     models = [Lambert((k / 10, k / 20, k / 30)) for k in range(1, 5)]
     results = [engine.evaluate(model, wi, wo) for model in models]

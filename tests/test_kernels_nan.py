@@ -10,7 +10,7 @@ import pytest
 
 from catalogue import ENTRIES, Entry, reference
 
-pytest.importorskip("numba")
+pytest.importorskip("llvmlite")
 
 from motes.arrays import Array
 from motes.directions import Geometry

@@ -94,12 +94,12 @@ def test_what_symbols_cannot_follow_is_sampled_as_it_stands(monkeypatch: pytest.
 
 
 @pytest.fixture
-def numba() -> None:
-    pytest.importorskip("numba")
+def llvm() -> None:
+    pytest.importorskip("llvmlite")
 
 
 @compiled
-@pytest.mark.usefixtures("numba")
+@pytest.mark.usefixtures("llvm")
 def test_densities_of_the_engine_are_those_of_numpy(model: BRDF) -> None:
     for name, (wi, wo) in risky_pairs(2000, 8).items():
         found, expected = engine.density(model, wi, wo), density_as_printed(model, wi, wo)
@@ -108,7 +108,7 @@ def test_densities_of_the_engine_are_those_of_numpy(model: BRDF) -> None:
 
 
 @compiled
-@pytest.mark.usefixtures("numba")
+@pytest.mark.usefixtures("llvm")
 def test_samples_of_the_engine_are_those_of_numpy(model: BRDF) -> None:
     n = 70_000  # several chunks
     wi, u = upper_directions(n, 9), numbers(n, 10)
@@ -125,7 +125,7 @@ def test_samples_of_the_engine_are_those_of_numpy(model: BRDF) -> None:
     np.testing.assert_allclose(weight, value * scale[:, None], rtol=1e-9, atol=1e-12)
 
 
-@pytest.mark.usefixtures("numba")
+@pytest.mark.usefixtures("llvm")
 def test_float32_is_near_float64() -> None:
     wi, u = upper_directions(20_000, 11).astype(np.float32), numbers(20_000, 12).astype(np.float32)
     wo, density, weight = engine.sample(DUSTY, wi, u)
@@ -137,7 +137,7 @@ def test_float32_is_near_float64() -> None:
 
 
 @compiled
-@pytest.mark.usefixtures("numba")
+@pytest.mark.usefixtures("llvm")
 def test_the_engines_samples_have_their_density(model: BRDF) -> None:
     wi, n = direction(0.7, 0.4), 40_000
     bins = Bins.of(engine.sample(model, wi, numbers(n, 13))[0])
@@ -149,7 +149,7 @@ def test_the_engines_samples_have_their_density(model: BRDF) -> None:
     assert chi2.sf(statistic, freedom) > 1e-4
 
 
-@pytest.mark.usefixtures("numba")
+@pytest.mark.usefixtures("llvm")
 def test_layouts_threads_and_company_change_no_bit(monkeypatch: pytest.MonkeyPatch) -> None:
     n = 70_000
     wi, u = upper_directions(n, 14), numbers(n, 15)
@@ -169,7 +169,7 @@ def test_layouts_threads_and_company_change_no_bit(monkeypatch: pytest.MonkeyPat
         np.testing.assert_array_equal(x.reshape(y.shape), y)
 
 
-@pytest.mark.usefixtures("numba")
+@pytest.mark.usefixtures("llvm")
 def test_parameters_that_vary_and_no_directions() -> None:
     colours = np.random.default_rng(16).uniform(0.1, 0.9, (50, 3))
     model = OrenNayar(K_d=colours, sigma_d=0.3) + TorranceSparrow(K_s=0.3, sigma_s=np.linspace(0.1, 0.4, 50))
@@ -182,7 +182,7 @@ def test_parameters_that_vary_and_no_directions() -> None:
     assert engine.density(DUSTY, wi[:0], wo[:0]).shape == (0,)
 
 
-@pytest.mark.usefixtures("numba")
+@pytest.mark.usefixtures("llvm")
 def test_nan_comes_out_where_numpy_has_it() -> None:
     wi, wo = upper_directions(6, 20), upper_directions(6, 21)
     for k in range(6):
@@ -190,7 +190,7 @@ def test_nan_comes_out_where_numpy_has_it() -> None:
     np.testing.assert_array_equal(np.isnan(engine.density(DUSTY, wi, wo)), np.isnan(density_as_printed(DUSTY, wi, wo)))
 
 
-@pytest.mark.usefixtures("numba")
+@pytest.mark.usefixtures("llvm")
 def test_many_samples_go_through_the_engine(monkeypatch: pytest.MonkeyPatch) -> None:
     seen = []
     monkeypatch.setattr(engine, "THRESHOLD", 4)

@@ -8,30 +8,44 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-numba = pytest.importorskip("numba")
+pytest.importorskip("llvmlite")
 
-from numba.extending import intrinsic  # noqa: E402
-
-from motes.kernels import vectors  # noqa: E402
+from motes.kernels import engine
+from motes.kernels.lowering import lowered
 
 LANES = 16
+ROWS = '''
+LANES = 16
+
+def run(x, y):
+    program = """x y
+{lines}
+"""
+    return vectors.rows(LANES, "{letter}", program, x, y)
+
+@kernel
+def call(x, y, blocks, size):
+    for k in range(blocks):
+        run(x + k * size, y + k * size)
+'''
+TRANSPOSED = """
+LANES = 16
+
+def run(source, stride, end, first, target):
+    return vectors.transposed(LANES, source, stride, end, first, target)
+
+@kernel
+def call(source, stride, end, first, target):
+    run(source, stride, end, first, target)
+"""
 scalars = pytest.mark.parametrize("scalar", ["float32", "float64"])
 
 
 def over(op: str, x: NDArray[Any]) -> NDArray[Any]:
     """`op` of all numbers of x, by vectors."""
     letter = "F" if x.dtype == np.float32 else "D"
-    program = f"x y\na = row x {letter} 0\nb = {op} a\nput y {letter} 0 b"
-
-    @intrinsic
-    def run(typing, x, y):  # type: ignore[no-untyped-def]
-        return vectors.rows(LANES, letter, program, x, y)
-
-    @numba.njit(error_model="numpy")
-    def call(x, y, blocks, size):  # type: ignore[no-untyped-def]
-        for k in range(blocks):
-            run(x + k * size, y + k * size)
-
+    lines = f"a = row x {letter} 0\nb = {op} a\nput y {letter} 0 b"
+    call = engine.module(ROWS.format(lines=lines, letter=letter), op).call
     padded = np.resize(x, -(-x.size // LANES) * LANES).astype(x.dtype)
     result = np.empty_like(padded)
     call(padded.ctypes.data, result.ctypes.data, len(padded) // LANES, LANES * x.itemsize)
@@ -78,14 +92,7 @@ def test_the_edges_of_log1p_and_cbrt(scalar: str) -> None:
 
 @pytest.mark.parametrize("last", [15, 6, 0])
 def test_lanes_are_brought_into_rows(last: int) -> None:
-    @intrinsic
-    def run(typing, source, stride, end, first, target):  # type: ignore[no-untyped-def]
-        return vectors.transposed(LANES, source, stride, end, first, target)
-
-    @numba.njit
-    def call(source, stride, end, first, target):  # type: ignore[no-untyped-def]
-        run(source, stride, end, first, target)
-
+    call = engine.module(TRANSPOSED, "lanes into rows").call
     given = np.random.default_rng(4).normal(size=(last + 1, 29)).astype(np.float32)
     found = np.zeros((29, LANES), np.float32)
     for first in (0, 8, 16, 21):
@@ -94,15 +101,6 @@ def test_lanes_are_brought_into_rows(last: int) -> None:
 
 
 def test_vectors_on_the_stack_lie_within_cache_lines() -> None:
-    """llvmlite drops the attribute that says so where a function has no other."""
-
-    @intrinsic
-    def run(typing, x, y):  # type: ignore[no-untyped-def]
-        return vectors.rows(LANES, "F", "x y\na = row x F 0\nput y F 0 a", x, y)
-
-    @numba.njit("void(int64, int64)")
-    def call(x, y):  # type: ignore[no-untyped-def]
-        run(x, y)
-
-    (text,) = call.inspect_llvm().values()
-    assert "alignstack=64" in text
+    text = lowered(ROWS.format(lines="a = row x F 0\nput y F 0 a", letter="F")).text
+    (head,) = (line for line in text.splitlines() if "@run(" in line and line.startswith("define"))
+    assert "alignstack(64)" in head

@@ -24,7 +24,7 @@ def tool() -> ModuleType:
 
 def test_what_extras_bring_is_followed_to_the_end(tool: ModuleType) -> None:
     core = tool.brought("")
-    assert {"numpy", "numba", "llvmlite", "rich", "cyclopts"} <= core
+    assert {"numpy", "llvmlite", "rich", "cyclopts"} <= core
     assert "openpyxl" in tool.brought("xlsx")
     assert "et-xmlfile" in tool.brought("xlsx")  # of openpyxl
     assert "drjit" in tool.brought("render")  # of Mitsuba

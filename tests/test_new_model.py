@@ -162,7 +162,7 @@ def test_many_values_are_compiled_to_the_same() -> None:
     from motes.kernels import engine
 
     if not engine.available():
-        pytest.skip("no Numba")
+        pytest.skip("nothing can be compiled here")
     wi, wo = upper_directions(500, 3), upper_directions(500, 4)
     few = paint().eval(wi, wo)
     np.testing.assert_allclose(engine.evaluate(paint(), wi, wo), few, rtol=1e-12)

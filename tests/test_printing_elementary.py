@@ -11,10 +11,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-numba = pytest.importorskip("numba")
+pytest.importorskip("llvmlite")
 
-from motes.kernels.numba import functions  # noqa: E402
-from motes.printing import elementary  # noqa: E402
+from motes.kernels import engine
+from motes.kernels.loops import functions
+from motes.printing import elementary
 
 STATED = {
     "exp": 1.5,
@@ -42,23 +43,23 @@ def compiled(scalar: str) -> dict[str, Callable[[NDArray[Any]], NDArray[Any]]]:
         functions(scalar)
         + "\n\n"
         + "\n\n".join(
-            f"@numba.njit(**options)\ndef loop_{name}(x, y):\n    for n in range(len(x)):\n        y[n] = {name}(x[n])\n"
+            f"@kernel\ndef loop_{name}(x, y, count):\n    for n in range(count):\n"
+            f'        store(F, y, n, {name}(load(F, x, n, "loop", 1)), "loop", 0, 1)\n'
             for name in STATED
         )
     )
-    module: dict[str, Any] = {"__name__": "elementary_under_test"}
-    exec(text, module)
+    module = engine.module(text, "elementary functions")
 
     def over(loop: Callable[..., None]) -> Callable[[NDArray[Any]], NDArray[Any]]:
         def call(x: NDArray[Any]) -> NDArray[Any]:
-            x = np.asarray(x, scalar)
+            x = np.ascontiguousarray(x, scalar)
             y = np.empty_like(x)
-            loop(x, y)
+            loop(x.ctypes.data, y.ctypes.data, x.size)
             return y
 
         return call
 
-    return {name: over(module[f"loop_{name}"]) for name in STATED}
+    return {name: over(getattr(module, f"loop_{name}")) for name in STATED}
 
 
 def arguments(name: str, scalar: str, n: int) -> NDArray[Any]:

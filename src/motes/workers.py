@@ -1,6 +1,6 @@
 """The threads of this process that share work: NumPy and compiled kernels let go of the interpreter's lock.
 
-``NUMBA_NUM_THREADS`` limits them, as it does Numba's own; otherwise there is one for each processor that the process may use.
+``NUMBA_NUM_THREADS`` limits them, a name that other libraries heed, too; otherwise there is one for each processor that the process may use.
 """
 
 from __future__ import annotations

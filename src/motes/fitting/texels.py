@@ -115,7 +115,7 @@ class TexelSolver(TexelSetup):
                 what = f"robust={self.robust.name}" if self.robust.name != "none" else "covariance"
                 why = f"these fits have {self.size} coefficients a texel, and it takes {MOST_COEFFICIENTS} at most"
                 raise MotesError(
-                    f"{what} needs a compiled kernel: {why if engine.available() else 'Numba cannot be used here'}",
+                    f"{what} needs a compiled kernel: {why if engine.available() else 'LLVM cannot be used here'}",
                     "Hold parameters, choose simpler trends, or leave it out",
                 )
             return self.finished(fit_slowly(self, data, points, own_starts))

@@ -1,1 +1,1 @@
-"""Running graphs: printed as NumPy functions and Numba kernels, compiled once and kept (the engine)."""
+"""Running graphs: printed as NumPy functions and as LLVM's instructions, compiled once and kept (the engine)."""

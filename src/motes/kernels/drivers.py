@@ -1,23 +1,13 @@
-"""The text of what generated modules hold besides formulas: their beginning, and the functions that are called; see `motes.kernels.numba`."""
+"""The text of what generated modules hold besides formulas: their beginning, and the functions that are called; see `motes.kernels.loops`."""
 
 HEADER = '''"""{title}"""
 
-import numba
-import numpy as np
-from numba.extending import intrinsic
-from motes.kernels import vectors
-from motes.kernels.intrinsics import add_in_any_order, bits_of, float_of, load, select, sqrt, store
-
-F, I = np.{scalar}, np.{integer}
+F, I = {scalar}, {integer}
 ITEM, WHOLE, TILE = {item}, {whole}, {tile}
-# Without nnan and ninf: NaN is to stay NaN.  Without reassoc: range reduction and short sums of long terms depend on their order.
-options = dict(error_model="numpy", fastmath={{"nsz", "arcp", "contract"}})
-part = numba.njit(**options)
 
 '''
 
 COLUMNS = '''
-@part
 def gather(lanes, source, step, stride, scratch, count):
     """`lanes` rows one after the other in memory, from any layout: item k of entry n is source[n * step + k * stride]."""
     if lanes == 3 and step == 3 and stride == 1:
@@ -31,7 +21,6 @@ def gather(lanes, source, step, stride, scratch, count):
                 store(F, scratch, k * TILE + n, load(F, source, n * step + k * stride, "gather", 3), "gather", 0, 3)
 
 
-@part
 def columns(lanes, source, step, stride, room, count, copied):
     """Where rows one after the other in memory begin, and how far apart they are: `source` itself or a copy in `room`."""
     if step == 1 and not copied:
@@ -40,7 +29,6 @@ def columns(lanes, source, step, stride, room, count, copied):
     return room, TILE
 
 
-@part
 def scatter(lanes, scratch, target, step, stride, count):
     """The reverse of `gather`."""
     if lanes == 3 and step == 3 and stride == 1:
@@ -59,7 +47,7 @@ def scatter(lanes, scratch, target, step, stride, count):
 # `varying` and `slopes` are `row` items apart; `room` has space for a tile of all components and channels.  Directions that do not make a whole
 # vector come last: they are copied, and what lies beside them there, and behind rows of `varying`, is computed with them and left.
 EVALUATE = """
-@numba.njit("void({signature})", cache=True, nogil=True, **options)
+@kernel
 def evaluate(wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, varying, row, out, out_step, out_stride, room, first, last):
     start = first
     while start < last:
@@ -79,24 +67,24 @@ def evaluate(wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, varying,
         start += count
 """
 TABLE = """
-@numba.njit("void({signature})", cache=True, nogil=True, **options)
+@kernel
 def evaluate(wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, varying, row, out, out_step, out_stride, room, first, last):
     span(wi + ITEM * first, wi_stride, wo + ITEM * first, wo_stride, constants, varying + ITEM * first, row, out + ITEM * first, out_stride, last - first)
 """
 
 # Rows of `length` directions, each with values of its own for what is uniform over it: `width` constants, and where its directions begin.
 APART = """
-@numba.njit("void({signature})", cache=True, nogil=True, **options)
+@kernel
 def apart(wi_at, wi_step, wi_stride, wo_at, wo_step, wo_stride, constants, width, out, out_step, out_stride, length, room, first, last):
     for k in range(first, last):
         evaluate(
-            load(np.int64, wi_at, k - first, "apart", 1), wi_step, wi_stride, load(np.int64, wo_at, k - first, "apart", 1), wo_step, wo_stride,
+            load(int64, wi_at, k - first, "apart", 1), wi_step, wi_stride, load(int64, wo_at, k - first, "apart", 1), wo_step, wo_stride,
             constants + ITEM * width * (k - first), 0, 0, out + ITEM * k * length * out_step, out_step, out_stride, room, 0, length,
         )
 """
 
 GRADIENT = """
-@numba.njit("void({signature})", cache=True, nogil=True, **options)
+@kernel
 def gradient(
     wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, varying, row, seed, seed_step, seed_stride, slopes, totals,
     room, first, last,
@@ -111,7 +99,7 @@ def gradient(
 
 # `u` are two random numbers; what is sampled is brought from rows into three arrays.
 SAMPLE = """
-@numba.njit("void({signature})", cache=True, nogil=True, **options)
+@kernel
 def sample(
     wi, wi_step, wi_stride, u, u_step, u_stride, constants, varying, row, wo, wo_step, wo_stride, density, weight, weight_step, weight_stride,
     room, first, last,

@@ -1,6 +1,6 @@
 """The compiled engine: evaluation and gradients of models at many directions, on all cores.
 
-A model is traced (`motes.graph.tracing`), printed as a Numba module (`motes.kernels.numba`) and compiled once; the module and its machine
+A model is traced (`motes.graph.tracing`), printed as a module (`motes.kernels.loops`) and compiled once; the module and its machine
 code are kept in the user's cache folder, so that the next process loads them in a fraction of a second.  Values of parameters are
 inputs: a model of the same structure with other values uses the same kernel.
 
@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -23,8 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 from motes.errors import DataError
 from motes.graph import tracing
 from motes.graph.recording import Kind, recorded
-from motes.kernels import grouped, grouping
-from motes.kernels import numba as numba_code
+from motes.kernels import grouped, grouping, loops
 from motes.kernels import numpy as numpy_code
 from motes.kernels.jobs import CHUNK, Array, Job, address, place, target_of
 from motes.kernels.memory import empty
@@ -50,19 +49,21 @@ __all__ = [
 
 #: The printer of each kind of kernel, and what it is a trace of.
 _PRINTERS = {
-    "evaluation": (numba_code.evaluation, Kind.VALUE),
-    "numbers": (numba_code.numbers, Kind.VALUE),
-    "apart": (numba_code.apart, Kind.VALUE),
+    "evaluation": (loops.evaluation, Kind.VALUE),
+    "numbers": (loops.numbers, Kind.VALUE),
+    "apart": (loops.apart, Kind.VALUE),
     "group numbers": (grouped.numbers, Kind.VALUE),
     "grouped": (grouped.evaluation, Kind.VALUE),
-    "gradient": (numba_code.gradient, Kind.VALUE),
-    "density": (numba_code.evaluation, Kind.DENSITY),
-    "sampling": (numba_code.sampling, Kind.SAMPLE),
+    "gradient": (loops.gradient, Kind.VALUE),
+    "density": (loops.evaluation, Kind.DENSITY),
+    "sampling": (loops.sampling, Kind.SAMPLE),
 }
 #: Below this number of directions NumPy is fast enough, and there is nothing to compile.
 THRESHOLD = 100_000
 #: The same of samples and their densities, in thresholds of values: what NumPy does with them it does as fast, and compiling takes up to twice as long.
 SAMPLES = 5
+#: The first LLVM that reads what `motes.kernels.assembly` writes.
+LEAST_LLVM = (20, 0, 0)
 #: Called with a sentence before a kernel is compiled, which takes some seconds and is done once.
 on_compile: Callable[[str], None] | None = None
 
@@ -73,10 +74,10 @@ on_compile: Callable[[str], None] | None = None
 def available() -> bool:
     """Whether kernels can be compiled here."""
     try:
-        import numba
-    except Exception:  # an installation of Numba that does not fit its Python or NumPy fails in many ways
+        import llvmlite.binding
+    except Exception:  # an installation that does not fit its Python fails in many ways
         return False
-    return not numba.config.DISABLE_JIT
+    return bool(llvmlite.binding.llvm_version_info >= LEAST_LLVM)
 
 
 def threshold(kind: Kind) -> int:
@@ -318,7 +319,7 @@ _worth: dict[tuple[Any, ...], bool] = {}
 def _worth_apart(job: Job) -> bool:
     key = (tracing.key(job.model, job.channels), job.varying)
     if key not in _worth:
-        _worth[key] = numba_code.worth_apart(tracing.trace(job.model, job.channels), job.varying)
+        _worth[key] = loops.worth_apart(tracing.trace(job.model, job.channels), job.varying)
     return _worth[key]
 
 
@@ -367,6 +368,6 @@ def _made(kind: str, job: Job, trace: tracing.Trace) -> _Kernel:
     return _Kernel(driver, printed.varying, printed.totals, uniform, constants, pullback, scalar, printed, code)
 
 
-def module(source: str, title: str, uses: Sequence[Any] = ()) -> Any:
-    """A generated module, compiled and kept; see `motes.kernels.module_cache.compiled_module`."""
-    return compiled_module(source, title, uses, on_compile)
+def module(source: str, title: str) -> Any:
+    """The kernels of a generated module, compiled and kept; see `motes.kernels.module_cache.compiled_module`."""
+    return compiled_module(source, title, on_compile)

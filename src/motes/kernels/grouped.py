@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from motes.graph import tracing
 from motes.graph.tracing import DIRECTIONS, PARAMETERS, Symbol, Trace, TracedParameter
-from motes.kernels import numba as numba_code
+from motes.kernels import loops
 
 #: A group has all bits of a float32 but so many in common: 16 groups to each power of two.
 LAST_BITS = 19
@@ -29,29 +29,29 @@ DEGREE = 3
 NODES = np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
 PLACES = np.concatenate([NODES, [-1.0, 1.0]])
 #: Groups are filled up to whole vectors, and have to have so many texels on average.
-LANES, FULL = numba_code.WHOLE, 64
+LANES, FULL = loops.WHOLE, 64
 _GROUP = 4  # a bit beside those of a model's leaves
 _COMPARISONS = ("lt", "le", "gt", "ge")
 
 _DRIVER = """
-@numba.njit("void({seen})", cache=True, nogil=True, **options)
+@kernel
 def seen(values, count, keys):
     for n in range(count):
         key = (bits_of(load(F, values, n, "other", 1)) >> {bits}) & {mask}
-        store(np.int32, keys, key, np.int32(1), "seen", 0, 1)
+        store(int32, keys, key, int32(1), "seen", 0, 1)
 
 
-@numba.njit("int64({seen}, int64)", cache=True, nogil=True, **options)
+@kernel
 def among(values, count, keys, found):
     total = 0
     for n in range(count):
         key = (bits_of(load(F, values, n, "other", 1)) >> {bits}) & {mask}
-        store(np.int32, found, total, np.int32(n), "found", 0, 1)
-        total += np.int64(load(np.int32, keys, key, "other", 1))
+        store(int32, found, total, int32(n), "found", 0, 1)
+        total += int64(load(int32, keys, key, "other", 1))
     return total
 
 
-@numba.njit("void({signature})", cache=True, nogil=True, **options)
+@kernel
 def grouped(
     wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, width, groups, group, varying, row, out, out_step, out_stride, room, first, last
 ):
@@ -63,32 +63,32 @@ def grouped(
     f = v + {rows} * 4 * size
     wi, wo, varying, out = wi + 4 * first * wi_step, wo + 4 * first * wo_step, varying + 4 * first, out + 4 * first * out_step
     for b in range(groups):
-        store(np.int32, end, b, np.int32(0), "cleared", 0, 1)
+        store(int32, end, b, int32(0), "cleared", 0, 1)
     for n in range(count):
         key = (bits_of(load(F, varying, {key} * row + n, "other", 1)) >> {bits}) & {mask}
-        b = load(np.int32, group, key, "other", 1)
-        store(np.int32, where, n, b, "counted", 0, 1)
-        store(np.int32, end, b, np.int32(load(np.int32, end, b, "other", 1) + 1), "counted", 0, 1)
+        b = load(int32, group, key, "other", 1)
+        store(int32, where, n, b, "counted", 0, 1)
+        store(int32, end, b, int32(load(int32, end, b, "other", 1) + 1), "counted", 0, 1)
     at = 0
     for b in range(groups):
-        store(np.int32, begin, b, np.int32(at), "begun", 0, 1)
-        at += (load(np.int32, end, b, "other", 1) + {lanes} - 1) // {lanes} * {lanes}
-        store(np.int32, end, b, load(np.int32, begin, b, "other", 1), "begun", 0, 1)
+        store(int32, begin, b, int32(at), "begun", 0, 1)
+        at += (load(int32, end, b, "other", 1) + {lanes} - 1) // {lanes} * {lanes}
+        store(int32, end, b, load(int32, begin, b, "other", 1), "begun", 0, 1)
     for n in range(count):
-        b = load(np.int32, where, n, "other", 1)
-        at = np.int64(load(np.int32, end, b, "other", 1))
-        store(np.int32, end, b, np.int32(at + 1), "sorted", {lanes_sorted} - 1, {lanes_sorted})
-        store(np.int32, where, n, np.int32(at), "sorted", {lanes_sorted} - 1, {lanes_sorted})
+        b = load(int32, where, n, "other", 1)
+        at = int64(load(int32, end, b, "other", 1))
+        store(int32, end, b, int32(at + 1), "sorted", {lanes_sorted} - 1, {lanes_sorted})
+        store(int32, where, n, int32(at), "sorted", {lanes_sorted} - 1, {lanes_sorted})
 {brought}
     for b in range(groups):
-        at, past = np.int64(load(np.int32, begin, b, "other", 1)), np.int64(load(np.int32, end, b, "other", 1))
+        at, past = int64(load(int32, begin, b, "other", 1)), int64(load(int32, end, b, "other", 1))
         whole = (past - at + {lanes} - 1) // {lanes} * {lanes}
         for n in range(past, at + whole):
             for k in range(6 + {rows}):
                 store(F, i, k * size + n, load(F, i, k * size + at, "other", 1), "filled", 0, 1)
         span(i + 4 * at, size, o + 4 * at, size, constants + 4 * width * b, v + 4 * at, size, f + 4 * at, size, whole)
     for n in range(count):
-        at = np.int64(load(np.int32, where, n, "scattered", {channels}))
+        at = int64(load(int32, where, n, "scattered", {channels}))
 {scattered}
 """
 
@@ -103,7 +103,7 @@ class Grouping(NamedTuple):
 
 
 @dataclass(frozen=True)
-class GroupedKernel(numba_code.Kernel):
+class GroupedKernel(loops.Kernel):
     """A kernel that reads, for each group, `columns` of what `Kernel.constants` and `Grouping.extras` are, one after the other.
 
     `key` is the row of varying parameters that texels are grouped by.  Its module also has ``seen``, which notes the groups there are, and
@@ -117,13 +117,13 @@ class GroupedKernel(numba_code.Kernel):
 def grouping(trace: Trace, varying: Collection[str]) -> Grouping | None:
     """The parameter to group texels by, if any is worth it."""
     rows = [p for p in trace.parameters if p.slot in varying]
-    outputs = numba_code.without_division(trace.outputs, trace.leaves())
+    outputs = loops.without_division(trace.outputs, trace.leaves())
     best: tuple[int, TracedParameter, dict[Symbol, int]] | None = None
     for parameter in rows:
         own = {p.symbol: _GROUP if p is parameter else DIRECTIONS for p in rows}
         bits = tracing.dependence(outputs, trace.leaves() | own)
         count = sum(bool(bit & _GROUP and not bit & DIRECTIONS) for bit in bits.values())
-        if count >= numba_code.LEAST_APART and (best is None or count > best[0]):
+        if count >= loops.LEAST_APART and (best is None or count > best[0]):
             best = count, parameter, bits
     if best is None:
         return None
@@ -155,7 +155,7 @@ def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> GroupedKe
     found = _found(trace, varying)
     more = tuple(TracedParameter(f"group.{k}", None, leaf) for k, leaf in enumerate(found.extras))
     changed = replace(trace, outputs=found.outputs, parameters=(*trace.parameters, *more))
-    kernel = numba_code.evaluation(changed, varying, scalar)
+    kernel = loops.evaluation(changed, varying, scalar)
     place = {leaf: k for k, leaf in enumerate(found.extras)}
     uniform = [symbol for symbol in kernel.constants if symbol not in place]
     columns = [len(uniform) + place[s] if s in place else uniform.index(s) for s in kernel.constants]
@@ -173,8 +173,6 @@ def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> GroupedKe
         for k in range(channels)
     ]
     driver = _DRIVER.format(
-        seen=numba_code.signature(3),
-        signature=numba_code.signature(18),
         key=key,
         channels=channels,
         lanes_sorted=lanes,
@@ -185,14 +183,14 @@ def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> GroupedKe
         bits=LAST_BITS,
         mask=KEYS - 1,
     )
-    source = numba_code.joined(kernel.source, driver)
+    source = loops.joined(kernel.source, driver)
     return GroupedKernel(source, "grouped", tuple(uniform), kernel.varying, columns=tuple(columns), key=key)
 
 
-def numbers(trace: Trace, varying: Collection[str], scalar: str) -> numba_code.Kernel:
+def numbers(trace: Trace, varying: Collection[str], scalar: str) -> loops.Kernel:
     """The kernel that computes the numbers at given values of the parameter."""
     found = _found(trace, varying)
-    return numba_code.table(replace(trace, outputs=found.numbers), (found.parameter.slot,), scalar)
+    return loops.table(replace(trace, outputs=found.numbers), (found.parameter.slot,), scalar)
 
 
 def _found(trace: Trace, varying: Collection[str]) -> Grouping:

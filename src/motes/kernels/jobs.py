@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 from motes import workers
 from motes.errors import DataError, ParameterError
 from motes.graph.tracing import TracedParameter
+from motes.kernels.loops import TILE, WHOLE
 from motes.kernels.memory import empty
-from motes.kernels.numba import TILE, WHOLE
 from motes.parameters import Parametrised, Slot
 
 CHUNK = 32 * TILE  # directions that a thread takes at a time

@@ -6,21 +6,15 @@ owner only, and one that others could write is not used (see `motes.files.trust`
 
 from __future__ import annotations
 
-import atexit
-import contextlib
 import hashlib
-import importlib.util
+import json
 import logging
 import os
-import platform
-import shutil
 import sys
 import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
-
-import numpy as np
+from types import SimpleNamespace
 
 from motes.errors import MotesError
 from motes.files.trust import distrusted
@@ -56,93 +50,84 @@ def _home() -> Path:
         ) from None
 
 
-def compiled_module(
-    source: str, title: str, uses: Sequence[Any] = (), on_compile: Callable[[str], None] | None = None
-) -> Any:
-    """Import a generated module from the cache folder, compiled there; from a temporary folder where that is not possible.
+def compiled_module(source: str, title: str, on_compile: Callable[[str], None] | None = None) -> SimpleNamespace:
+    """The kernels of a generated module by name, from the cache folder; compiled, and kept there where that is possible.
 
     Parameters
     ----------
     source
-        Of the module; the same source is compiled once.
+        Of the module (see `motes.kernels.lowering`); the same source is compiled once.
     title
         What it is, for people who wait.
-    uses
-        The modules of Motes, besides those of this room, whose functions are compiled into it.
     on_compile
-        Called with a sentence before something is compiled, which takes some seconds.
+        Called with a sentence before something is compiled, which takes about a second.
     """
-    import llvmlite
-    import numba
-
-    from motes.kernels import intrinsics, vector_functions, vectors
+    from motes.kernels import assembly, lowered_values, lowering, machine_code, vector_functions, vectors
     from motes.version import __version__
 
-    versions = [
-        __version__,
-        numba.__version__,
-        llvmlite.__version__,
-        np.__version__,
-        platform.python_version(),
-        platform.machine(),
+    used = [
+        Path(m.__file__ or "").read_text(encoding="utf-8")
+        for m in (assembly, lowered_values, lowering, vector_functions, vectors, machine_code)
     ]
-    used = [Path(m.__file__ or "").read_text(encoding="utf-8") for m in (intrinsics, vectors, vector_functions, *uses)]
-    basis = [source, *versions, *used]
+    basis = [source, __version__, machine_code.description(), *used]
     name = "motes_" + hashlib.sha256("\0".join(basis).encode()).hexdigest()[:24]
     log = logging.getLogger(__name__)
+    folder, kept = None, ""
     try:
         folder = cache_folder()
+        kept = f"kept in {folder}"
+        if (found := _read(folder, name)) is not None:
+            return SimpleNamespace(**machine_code.loaded(*found))
     except MotesError as error:
         log.info("%s", error)
-        return _imported(source, name, title, _temporary(), f"not kept: {error.message}", on_compile)
-    try:
-        return _imported(source, name, title, folder, f"kept in {folder}", on_compile)
+        folder, kept = None, f"not kept: {error.message}"
     except _Distrusted as reason:  # nothing in it is touched, whosever it is
         log.warning("the cache folder %s is not used, for code is run from it and %s", folder, reason)
-        kept = f"not kept: {reason}"
-    except Exception as error:  # not writable, full, or holding something broken
+        folder, kept = None, f"not kept: {reason}"
+    except OSError as error:
         log.info("the cache folder %s cannot be used: %s", folder, error)
-        kept = f"not kept: {folder} cannot be used"
-        for broken in (folder / "__pycache__").glob(f"{name}.*"):
-            with contextlib.suppress(OSError):
-                broken.unlink()
-    return _imported(source, name, title, _temporary(), kept, on_compile)
-
-
-def _temporary() -> Path:
-    """A folder of this process alone, which goes with it."""
-    folder = Path(tempfile.mkdtemp(prefix="motes-"))
-    atexit.register(shutil.rmtree, folder, ignore_errors=True)
-    return folder
-
-
-def _imported(
-    source: str, name: str, title: str, folder: Path, kept: str, on_compile: Callable[[str], None] | None
-) -> Any:
-    path = folder / f"{name}.py"
-    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-    compiled = folder / "__pycache__"
-    there = [p for p in (path, compiled, *compiled.glob(f"{name}.*")) if os.path.lexists(p)]
-    if reason := distrusted(folder, there):
-        raise _Distrusted(reason)
-    if not path.exists() or path.read_text(encoding="utf-8") != source:
-        handle, temporary = tempfile.mkstemp(prefix=f".{name}.", suffix=".tmp", dir=folder)
+        folder, kept = None, f"not kept: {folder} cannot be used"
+    sentence = f"compiling {title} once ({kept})"
+    log.info(sentence)
+    if on_compile is not None:
+        on_compile(sentence)
+    lowered = lowering.lowered(source)
+    code = machine_code.compiled(lowered.text)
+    if folder is not None:
         try:
-            with os.fdopen(handle, "w", encoding="utf-8") as file:
-                file.write(source)
-            os.replace(temporary, path)
-        except BaseException:
-            Path(temporary).unlink(missing_ok=True)
-            raise
-    if not any(compiled.glob(f"{name}.*.nbi")):
-        sentence = f"compiling {title} once ({kept})"
-        logging.getLogger(__name__).info(sentence)
-        if on_compile is not None:
-            on_compile(sentence)
-    spec = importlib.util.spec_from_file_location(name, path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[name] = module  # Numba looks for the functions of a cached kernel by the name of their module
-    spec.loader.exec_module(module)
-    return module
+            keep(folder, name, code, lowered.kernels)
+        except OSError as error:  # full, say
+            log.info("the cache folder %s cannot be used: %s", folder, error)
+    return SimpleNamespace(**machine_code.loaded(code, lowered.kernels))
+
+
+def _read(folder: Path, name: str) -> tuple[bytes, dict[str, tuple[int, bool]]] | None:
+    """What was compiled, and its kernels; None where it is not there, or damaged."""
+    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    path = folder / name
+    there = os.path.lexists(path)
+    if reason := distrusted(folder, [path] if there else []):
+        raise _Distrusted(reason)
+    if not there:
+        return None
+    head, _, code = path.read_bytes().partition(b"\n")
+    try:
+        said = json.loads(head)
+        if said["sha256"] != hashlib.sha256(code).hexdigest():
+            return None
+        return code, {str(kernel): (int(count), bool(returns)) for kernel, (count, returns) in said["kernels"].items()}
+    except (ValueError, KeyError, TypeError):
+        return None
+
+
+def keep(folder: Path, name: str, code: bytes, kernels: dict[str, tuple[int, bool]]) -> None:
+    """Keep what was compiled: written beside and renamed, so that it is there whole or not at all."""
+    head = json.dumps({"sha256": hashlib.sha256(code).hexdigest(), "kernels": kernels})
+    handle, temporary = tempfile.mkstemp(prefix=f".{name}.", suffix=".tmp", dir=folder)
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(head.encode() + b"\n" + code)
+        os.replace(temporary, folder / name)
+    except BaseException:
+        Path(temporary).unlink(missing_ok=True)
+        raise

@@ -59,7 +59,7 @@ def is_truth(symbol: Symbol) -> bool:
 
 
 def intrinsic(name: str, call: str, arguments: Sequence[str], lines: Sequence[str]) -> str:
-    """The text of an intrinsic of `motes.kernels.vectors`."""
+    """The text of a function that is a program of `motes.kernels.vectors`."""
     given = ", ".join(arguments)
     program = "\n".join([" ".join(arguments), *lines])
-    return f'@intrinsic\ndef {name}(typing, {given}):\n    program = """\n{program}\n"""\n    return {call}program, {given})'
+    return f'def {name}({given}):\n    program = """\n{program}\n"""\n    return {call}program, {given})'

@@ -69,11 +69,10 @@ def _opened(path: str, run: str) -> FittedMap:
 
 
 def _own_threads() -> None:
-    """As many threads for fits as the worker was started with, unless it was told otherwise; before Numba is imported."""
+    """As many threads for fits as the worker was started with, unless it was told otherwise."""
     import os
-    import sys
 
-    if "numba" in sys.modules or "NUMBA_NUM_THREADS" in os.environ:
+    if "NUMBA_NUM_THREADS" in os.environ:
         return
     from distributed import get_worker
 

@@ -157,7 +157,7 @@ FLOAT64 = Precision(
 PRECISIONS = {"float32": FLOAT32, "float64": FLOAT64}
 
 _TEMPLATE = '''
-@part
+@inline
 def exp_parts(x):
     """2^(k-1) and exp(r) - 1, where x = k ln(2) + r."""
     x = select(x < F({lowest!r}), F({lowest!r}), x)
@@ -170,19 +170,19 @@ def exp_parts(x):
     return s, p * (r * r) + r
 
 
-@part
+@inline
 def exp(x):
     s, p = exp_parts(x)
     return F(2.0) * (s * p + s)
 
 
-@part
+@inline
 def expm1(x):
     s, p = exp_parts(x)
     return F(2.0) * (s * p + (s - F(0.5)))
 
 
-@part
+@inline
 def log1p(x):
     u = F(1.0) + x
     shifted = I(bits_of(u) + I({above}))
@@ -198,11 +198,11 @@ def log1p(x):
     half = F(0.5) * (f * f)
     tail = s * (half + z * {log}) + c + k * F({ln2[1]!r})
     y = k * F({ln2[0]!r}) + (f - (half - tail))
-    y = select(u > F(0.0), y, select(u == F(0.0), F(-np.inf), F(np.nan)))
-    return select(x == F(np.inf), x, y)
+    y = select(u > F(0.0), y, select(u == F(0.0), F(-inf), F(nan)))
+    return select(x == F(inf), x, y)
 
 
-@part
+@inline
 def log(x):
     shifted = I(bits_of(x) + I({above}))
     exponent = I(I(shifted >> I({fraction})) - I({bias}))
@@ -213,11 +213,11 @@ def log(x):
     half = F(0.5) * (f * f)
     tail = s * (half + z * {log}) + k * F({ln2[1]!r})
     y = k * F({ln2[0]!r}) + (f - (half - tail))
-    y = select(x > F(0.0), y, select(x == F(0.0), F(-np.inf), F(np.nan)))
-    return select(x == F(np.inf), x, y)
+    y = select(x > F(0.0), y, select(x == F(0.0), F(-inf), F(nan)))
+    return select(x == F(inf), x, y)
 
 
-@part
+@inline
 def turned(x, quarters):
     """The sine of x plus some right angles."""
     shifted = x * F(0.6366197723675814) + F({shift!r})
@@ -233,17 +233,17 @@ def turned(x, quarters):
     return select(I(quadrant & I(2)) != I(0), -y, y)
 
 
-@part
+@inline
 def sin(x):
     return turned(x, 0)
 
 
-@part
+@inline
 def cos(x):
     return turned(x, 1)
 
 
-@part
+@inline
 def asin_near(x):
     """On [-0.7072, 0.7072]."""
     z = x * x
@@ -251,7 +251,7 @@ def asin_near(x):
     return p * (z * x) + x
 
 
-@part
+@inline
 def asin(x):
     """By asin(x) = pi/2 - asin(sqrt(1 - x^2)) where x > sin(pi/4)."""
     a = select(x < F(0.0), -x, x)
@@ -271,7 +271,7 @@ def horner(coefficients: tuple[float, ...], x: str) -> str:
 
 
 def source(precision: Precision) -> str:
-    """Numba source of the functions; it needs the names F and I (scalar types), `part` (a decorator) and those of the intrinsics."""
+    """Source of the functions for `motes.kernels.lowering`; it needs the names F and I (kinds of numbers)."""
     return _TEMPLATE.format(
         lowest=precision.lowest,
         highest=precision.highest,

@@ -231,7 +231,6 @@ class Layout:
     def _fit(self) -> str:
         text = driver_text.FIT
         for key, value in {
-            "SIGNATURE": ", ".join(["int64"] * 25),
             "FEW_TIMES": "" if self.static else driver_text.FEW_TIMES,
             "WHOLE": driver_text.WHOLE if self.whole else "",
             "PARTIAL": driver_text.PARTIAL if self.by_sample and self.channels > 1 else "",

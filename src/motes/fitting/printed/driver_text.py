@@ -1,24 +1,22 @@
-"""The text of a module's functions that are the same for every model: Numba, over addresses (integers); see `motes.fitting.printed.driver`."""
+"""The text of a module's functions that are the same for every model, in the language of `motes.kernels.lowering`; see `motes.fitting.printed.driver`."""
 
 from __future__ import annotations
 
 CLEAR = """
-@part
 def clear(rows, count):
     for n in range(count * LANES):
         store(D, rows, n, D(0.0), "clear", 0, 1)
 """
 
 LOAD = """
-@part
 def load_block(source, stride, last, given, samples, times, columns, row, data, raw):
     numbers = given * CHANNELS
     for t in range(times):
         at, block = source + 4 * numbers * t, data + 4 * LANES * WIDTH * samples * t
-        for first in range(0, numbers - vectors.PIECE + 1, vectors.PIECE):
+        for first in range(0, numbers - PIECE + 1, PIECE):
             transposed(at, stride, last, first, <RAW>)
-        if numbers >= vectors.PIECE:
-            transposed(at, stride, last, numbers - vectors.PIECE, <RAW>)
+        if numbers >= PIECE:
+            transposed(at, stride, last, numbers - PIECE, <RAW>)
         else:
             for k in range(numbers):
                 for n in range(LANES):
@@ -29,7 +27,6 @@ def load_block(source, stride, last, given, samples, times, columns, row, data, 
 """
 
 AHEAD = """
-@part
 def ahead(address, end):
     last = min(address + 64 * LINES, end)
     while address < last:
@@ -39,7 +36,6 @@ def ahead(address, end):
 """
 
 PASS = """
-@part
 def {name}(x, room, own, columns, row, basis, times, every, samples, data{total}):
     parameters, slopes, constants, wide = room + AT_PARAMETERS, room + AT_SLOPES, room + AT_CONSTANTS, room + AT_WIDE
     summed, normal, shared = room + AT_SUMMED, room + AT_NORMAL, basis + 8 * BASIS * times
@@ -49,7 +45,6 @@ def {name}(x, room, own, columns, row, basis, times, every, samples, data{total}
 """
 
 CLOSING = """
-@part
 def any_of(rows):
     total = D(0.0)
     for n in range(LANES):
@@ -57,7 +52,6 @@ def any_of(rows):
     return total > D(0.0)
 
 
-@part
 def column_of(matrix, k, column):
     for i in range(SIZE):
         at = i * (i + 1) // 2 + k if k <= i else k * (k + 1) // 2 + i
@@ -65,12 +59,10 @@ def column_of(matrix, k, column):
             store(D, column, i * LANES + n, load(D, matrix, at * LANES + n, "other", 1), "plain", 0, 1)
 
 
-@part
 def inverse_of(curvature, among, blurred, inverse, now_blurred):
     inverse_at(curvature, among, blurred, inverse, now_blurred)
 
 
-@part
 def closing(x, room, own, box, columns, row, basis, times, samples, data, roughly, whole):
     parameters, slopes, constants, wide = room + AT_PARAMETERS, room + AT_SLOPES, room + AT_CONSTANTS, room + AT_WIDE
     normal, curved, leverage, middle = room + AT_NORMAL, room + AT_CURVED, room + AT_LEVERAGE, room + AT_MIDDLE
@@ -137,7 +129,6 @@ def closing(x, room, own, box, columns, row, basis, times, samples, data, roughl
 """
 
 STEP = """
-@part
 def proposed(state, box, own, room, trial):
     stops, next_stops = room + AT_STOPS, room + AT_NEXT_STOPS
     held(state, box, own, stops)
@@ -198,7 +189,7 @@ RESIDUALS = """if out != 0:
 # for a texel without a fit NaN and NONE; and covariances (texel, TRIANGLE) float32 where that is an address.  When it is 2: the diagonal
 # of the curvature in `points`.
 FIT = """
-@numba.njit("void(<SIGNATURE>)", cache=True, nogil=True, **options)
+@kernel
 def fit(
     values, times, given, samples, columns, row, basis, box, texels, points, states, held_at, held_step, noise, noise_step,
     limit, leave, every, close, found, errors, codes, covariances, out, room,
@@ -314,12 +305,12 @@ def fit(
             store(D, states, texel * STATE + 13, load(D, results, 3 * SIZE * LANES + n, "other", 1) if there else D(0.0), "plain", 0, 1)
             for k in range(SIZE):
                 store(D, points, texel * SIZE + k, load(D, room + AT_POINT, k * LANES + n, "other", 1), "plain", 0, 1)
-                value = load(D, results, k * LANES + n, "other", 1) if there else D(np.nan)
-                error = load(D, results, (SIZE + k) * LANES + n, "other", 1) if there else D(np.nan)
+                value = load(D, results, k * LANES + n, "other", 1) if there else D(nan)
+                error = load(D, results, (SIZE + k) * LANES + n, "other", 1) if there else D(nan)
                 code = load(D, results, (2 * SIZE + k) * LANES + n, "other", 1) if there else D(NONE)
                 store(F, found, texel * SIZE + k, F(value), "plain", 0, 1)
                 store(F, errors, texel * SIZE + k, F(error), "plain", 0, 1)
-                store(np.uint8, codes, texel * SIZE + k, np.uint8(code), "plain", 0, 1)
+                store(B, codes, texel * SIZE + k, B(code), "plain", 0, 1)
             if covariances != 0:
                 for k in range(TRIANGLE):
                     value = load(D, room + AT_COVARIANCE, k * LANES + n, "other", 1)

@@ -23,7 +23,7 @@ def many_sums(name: str, data: Sequence[Symbol], integrands: Sequence[Symbol], c
         texts.append(sum_function(part, data, integrands[first : first + GROUP], columns, constants, unroll=1))
         calls.append(f"    {part}(columns, row, constants, data, samples, totals + 8 * LANES * {first})")
     body = "\n".join(calls)
-    return "\n\n\n".join([*texts, f"@part\ndef {name}(columns, row, constants, data, samples, totals):\n{body}"])
+    return "\n\n\n".join([*texts, f"def {name}(columns, row, constants, data, samples, totals):\n{body}"])
 
 
 def sum_function(

@@ -1,4 +1,4 @@
-"""The module of a batched fit as CUDA C++: the text that `motes.fitting.printed.module` prints for Numba, read and written anew, a lane a thread.
+"""The module of a batched fit as CUDA C++: the text that `motes.fitting.printed.module` prints for processors, read and written anew, a lane a thread.
 
 Nothing of a fit is written twice.  Programs over rows (`motes.kernels.vectors`) become functions of one lane; the driver, a few hundred lines of
 Python without surprises, is translated statement by statement.  The layout of rows stays as it is: `LANES` neighbouring threads share a block of
@@ -43,7 +43,6 @@ template <class T> MOTES_INLINE T smallest(T a, T b) { return a > b ? b : a; }
 
 # What processors do by shuffles; and nothing, where they would ask for memory beforehand.
 _OF_LANES = """
-#define PIECE 8
 #define prefetch(address, lane)
 MOTES_INLINE void transposed(word source, word stride, word last, word first, word target, const int lane) {
     for (word k = first; k < first + PIECE; ++k)
@@ -75,7 +74,7 @@ _CALLED = {
     "minimum": "smallest",
 }
 _INFIX = {"add": "+", "sub": "-", "mul": "*", "div": "/", "lt": "<", "le": "<=", "gt": ">", "ge": ">="}
-_TYPES = {"F": "float", "D": "double"}
+_TYPES = {"F": "float", "D": "double", "B": "unsigned char"}
 
 
 def translated(module: str) -> str:
@@ -223,11 +222,9 @@ class _Expression:
 
     def text(self, node: ast.expr) -> str:
         if isinstance(node, ast.Name):
-            return node.id
+            return 'nan("")' if node.id == "nan" else node.id
         if isinstance(node, ast.Constant):
             return repr(node.value) if not isinstance(node.value, bool) else str(node.value).lower()
-        if isinstance(node, ast.Attribute):
-            return {"PIECE": "PIECE", "nan": 'nan("")', "uint8": ""}[node.attr]
         if isinstance(node, ast.BinOp):
             sign = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.FloorDiv: "/"}[type(node.op)]
             return f"({self.text(node.left)} {sign} {self.text(node.right)})"
@@ -250,10 +247,8 @@ class _Expression:
     def _call(self, node: ast.Call) -> str:
         name = node.func.id if isinstance(node.func, ast.Name) else ast.unparse(node.func)
         arguments = [self.text(argument) for argument in node.args]
-        if name in ("F", "D"):
+        if name in _TYPES:
             return f"({_TYPES[name]})({arguments[0]})"
-        if name == "np.uint8":
-            return f"(unsigned char)({arguments[0]})"
         if name == "min":
             return f"least({', '.join(arguments)})"
         if name == "load":
@@ -289,7 +284,8 @@ class _Expression:
 
 
 def _pointed(node: ast.expr) -> str:
-    return _TYPES[node.id] if isinstance(node, ast.Name) else "unsigned char"
+    assert isinstance(node, ast.Name)
+    return _TYPES[node.id]
 
 
 def _widest(*kinds: str) -> str:

@@ -1,4 +1,4 @@
-"""Printing a traced model as a Numba module: the kernels of `motes.kernels.engine`.
+"""Printing a traced model as a module over directions: the kernels of `motes.kernels.engine`.
 
 A module holds ``span`` (the formula, over a run of directions that lie one after the other in memory) and a driver that cuts a range of
 directions into tiles and brings each into that form.  The values of models and densities are programs of vectors (`motes.kernels.vectors`), over
@@ -78,7 +78,7 @@ def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     """
     spoken = WORDLESS.isdisjoint(symbol.op for symbol in tracing.live(trace.outputs))
     span, constants, rows = _program(trace, varying, scalar) if spoken else _forward(trace, varying)
-    driver = drivers.EVALUATE.format(signature=signature(15), channels=len(trace.outputs))
+    driver = drivers.EVALUATE.format(channels=len(trace.outputs))
     text = _module(trace, "Evaluates a reflectance model", scalar, span, driver)
     return Kernel(text, "evaluate", tuple(constants), tuple(rows))
 
@@ -86,14 +86,14 @@ def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
 def table(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     """The kernel that computes the outputs of a trace, any number of them, at places where parameters vary: rows in, rows out, as `evaluation`."""
     span, constants, rows = _forward(trace, varying)
-    text = _module(trace, "Tabulates", scalar, span, drivers.TABLE.format(signature=signature(15)))
+    text = _module(trace, "Tabulates", scalar, span, drivers.TABLE)
     return Kernel(text, "evaluate", tuple(constants), tuple(rows), width=len(trace.outputs))
 
 
 def sampling(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     """The kernel that chooses directions; its trace is that of a sample, and the rest as for `evaluation`."""
     span, constants, rows = _forward(trace, varying)
-    driver = drivers.SAMPLE.format(signature=signature(19), channels=len(trace.outputs) - 4)
+    driver = drivers.SAMPLE.format(channels=len(trace.outputs) - 4)
     text = _module(trace, "Samples a reflectance model", scalar, span, driver)
     return Kernel(text, "sample", tuple(constants), tuple(rows))
 
@@ -112,7 +112,7 @@ def _program(trace: Trace, varying: Collection[str], scalar: str) -> tuple[str, 
     lines += [f"put f {kind} {c}*f_row+n {names[output]}" for c, output in enumerate(outputs)]
     arguments = "i, i_row, o, o_row, constants, varying, row, f, f_row, count"
     text = intrinsic("stretch", f'vectors.stretch(WHOLE, "{kind}", ', arguments.split(", "), lines)
-    return f"{text}\n\n\n@part\ndef span({arguments}):\n    stretch({arguments})", constants, rows
+    return f"{text}\n\n\ndef span({arguments}):\n    stretch({arguments})", constants, rows
 
 
 def _forward(trace: Trace, varying: Collection[str]) -> tuple[str, list[Symbol], list[TracedParameter]]:
@@ -139,7 +139,7 @@ def numbers(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
 def apart(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     """The kernel that evaluates a model at rows of directions, with parameters that are uniform over each row."""
     kernel = evaluation(trace, (), scalar)
-    return Kernel(joined(kernel.source, drivers.APART.format(signature=signature(15))), "apart", (), ())
+    return Kernel(joined(kernel.source, drivers.APART), "apart", (), ())
 
 
 def worth_apart(trace: Trace, varying: Collection[str]) -> bool:
@@ -190,11 +190,11 @@ def gradient(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     ]
     before = [*loads, *(f"s{k} = F(0.0)" for k in range(len(totals)))]
     after = [
-        f'store(np.float64, totals, {k}, load(np.float64, totals, {k}, "other", 1) + s{k}, "totals", 0, 1)'
+        f'store(float64, totals, {k}, load(float64, totals, {k}, "other", 1) + s{k}, "totals", 0, 1)'
         for k in range(len(totals))
     ]
     span = _span("i, i_row, o, o_row, constants, varying, row, f, f_row, slopes, totals, count", before, body, after)
-    driver = drivers.GRADIENT.format(signature=signature(17), channels=len(seed_leaves))
+    driver = drivers.GRADIENT.format(channels=len(seed_leaves))
     text = _module(trace, "Derivatives of a reflectance model", scalar, span, driver)
     return Kernel(text, "gradient", tuple(constants), tuple(rows), tuple(totals))
 
@@ -300,11 +300,7 @@ def _loads(trace: Trace, lanes: int, given: dict[Symbol, str], rows: Sequence[Tr
 
 def _span(arguments: str, before: Sequence[str], body: Sequence[str], after: Sequence[str] = ()) -> str:
     lines = [*before, "for n in range(count):", *("    " + line for line in body), *after]
-    return f"@part\ndef span({arguments}):\n    " + "\n    ".join(lines)
-
-
-def signature(count: int) -> str:
-    return ", ".join(["int64"] * count)
+    return f"def span({arguments}):\n    " + "\n    ".join(lines)
 
 
 def _header(title: str, scalar: str) -> str:

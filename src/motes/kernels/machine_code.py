@@ -1,0 +1,101 @@
+"""From LLVM's text to functions that can be called: optimised once, for the processor at hand.
+
+What is made is an object, as linkers know them, that another process loads in some milliseconds.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import functools
+import threading
+from collections.abc import Callable, Mapping
+from typing import Any
+
+#: Kernels are functions of integers; they let go of the interpreter's lock.
+Kernel = Callable[..., Any]
+_lock = threading.RLock()
+
+
+def _machine() -> Any:
+    """What LLVM knows of this processor; an engine takes one for itself."""
+    from llvmlite import binding
+
+    binding.initialize_native_target()
+    binding.initialize_native_asmprinter()
+    target = binding.Target.from_triple(binding.get_process_triple())
+    cpu, features = _processor()
+    reloc = "static" if target.name.startswith("x86") else "default"
+    return target.create_target_machine(cpu, features, opt=3, reloc=reloc, codemodel="jitdefault", jit=True)
+
+
+@functools.cache
+def _processor() -> tuple[str, str]:
+    """The processor's name, and what it can do."""
+    from llvmlite import binding
+
+    try:
+        return binding.get_host_cpu_name(), binding.get_host_cpu_features().flatten()
+    except RuntimeError:  # LLVM knows the name of this processor only
+        return binding.get_host_cpu_name(), ""
+
+
+def vector_bytes() -> int:
+    """The bytes of the processor's vectors."""
+    features = set(_processor()[1].split(","))
+    return 64 if "+avx512f" in features else 32 if "+avx" in features else 16
+
+
+def description() -> str:
+    """What compiled code depends on: the version of LLVM and the processor."""
+    import llvmlite
+    from llvmlite import binding
+
+    return "\0".join(
+        [llvmlite.__version__, *map(str, binding.llvm_version_info), binding.get_process_triple(), *_processor()]
+    )
+
+
+def compiled(text: str) -> bytes:
+    """The object of a module."""
+    machine = _machine()
+    return bytes(machine.emit_object(optimised(text, machine)))
+
+
+def assembly(text: str) -> str:
+    """The processor's instructions of a module, for people."""
+    machine = _machine()
+    return str(machine.emit_assembly(optimised(text, machine)))
+
+
+def optimised(text: str, machine: Any = None) -> Any:
+    """LLVM's module of a text, as it is before it becomes an object."""
+    from llvmlite import binding
+
+    machine = machine or _machine()
+    module = binding.parse_assembly(text)
+    module.triple, module.data_layout = binding.get_process_triple(), str(machine.target_data)
+    module.verify()
+    tuning = binding.create_pipeline_tuning_options(3)
+    tuning.loop_vectorization, tuning.slp_vectorization = True, False
+    builder = binding.create_pass_builder(machine, tuning)
+    builder.getModulePassManager().run(module, builder)
+    return module
+
+
+def loaded(code: bytes, kernels: Mapping[str, tuple[int, bool]]) -> dict[str, Kernel]:
+    """The functions of an object, by name; of each the number of arguments, and whether it returns an integer."""
+    from llvmlite import binding
+
+    with _lock:
+        engine = binding.create_mcjit_compiler(binding.parse_assembly(""), _machine())
+        engine.add_object_file(binding.ObjectFileRef.from_data(code))
+        engine.finalize_object()
+        return {name: _called(engine, name, *how) for name, how in kernels.items()}
+
+
+def _called(engine: Any, name: str, count: int, returns: bool) -> Kernel:
+    kind = ctypes.CFUNCTYPE(ctypes.c_int64 if returns else None, *[ctypes.c_int64] * count)
+    function: Any = kind(engine.get_function_address(name))
+    function.engine = engine  # its memory is the function's
+    kernel: Kernel = function
+    return kernel
