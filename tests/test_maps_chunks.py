@@ -58,6 +58,43 @@ def test_the_bytes_are_those_that_zarr_writes(case: str, tmp_path: Path) -> None
     np.testing.assert_array_equal(zarr.open_array(str(ours), mode="r")[...], values)
 
 
+PARTS: list[Any] = [
+    (slice(0, 7), slice(0, 5)), (slice(4, 7), slice(3, 5)), (slice(0, 4), slice(3, 5), slice(0, 2)), (slice(None), slice(0, 2)),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("part", PARTS)
+def test_bare_numbers_are_read_from_their_files(part: Any, tmp_path: Path) -> None:
+    values = CASES["float32"][1].astype("f4")
+    values[:4, :3] = np.nan  # no file
+    _, folder = written_both_ways(tmp_path / "a.zarr", values, compressed=False)
+    array = zarr.open_group(str(tmp_path / "a.zarr"), mode="r")["ours"]
+    found = chunks.plain(array, tmp_path / "a.zarr", part)
+    assert found is not None
+    np.testing.assert_array_equal(found, values[part])
+    np.testing.assert_array_equal(zarrs.read(array, tmp_path / "a.zarr", part), array[part])
+    last = folder / "c" / "1" / "1" / "0"
+    last.write_bytes(last.read_bytes()[:-1])  # Zarr says what is wrong
+    if part[0].stop != 4 and part[1].stop != 2:
+        assert chunks.plain(array, tmp_path / "a.zarr", part) is None
+
+
+def test_other_parts_and_other_numbers_are_left_to_zarr(tmp_path: Path) -> None:
+    values = CASES["float32"][1].astype("f4")
+    group = zarr.create_group(str(tmp_path / "a.zarr"), zarr_format=3)
+    for name, options in {
+        "bare": {"compressors": None},
+        "packed": {},
+        "turned": {"compressors": None, "serializer": zarr.codecs.BytesCodec(endian="big")},
+    }.items():
+        array = group.create_array(name, shape=SHAPE, chunks=CHUNK, dtype="f4", fill_value=np.nan, **options)
+        array[...] = values
+        parts = [(slice(1, 4), slice(0, 3)), (slice(0, 4), slice(0, 3), slice(1, 2)), ..., (0, slice(0, 3))]
+        for part in parts if name == "bare" else [(slice(0, 4), slice(0, 3))]:
+            assert chunks.plain(array, tmp_path / "a.zarr", part) is None
+            np.testing.assert_array_equal(zarrs.read(array, tmp_path / "a.zarr", part), values[part])
+
+
 def test_a_chunk_of_nothing_takes_the_place_of_what_was_there(tmp_path: Path) -> None:
     _, ours = written_both_ways(tmp_path / "a.zarr", CASES["float32"][1])
     array = zarr.open_group(str(tmp_path / "a.zarr"), mode="r+")["ours"]

@@ -1,7 +1,8 @@
-"""Chunks that are written whole: the bytes that Zarr would write, without its event loop.
+"""Chunks that are written and read whole: the bytes that Zarr would write, without its event loop.
 
 Zarr takes a millisecond for each assignment, whatever its size: a task on another thread, its lock, and as many coroutines.  A block of a fitted map is one
-chunk of each of some twenty arrays.
+chunk of each of some twenty arrays.  What it reads goes through its memory and into an array's, of which each page is cleared first; numbers that are not
+compressed go from their files to where they belong.
 """
 
 from __future__ import annotations
@@ -17,6 +18,8 @@ from typing import Any, Self, final
 
 import numpy as np
 from numpy.typing import NDArray
+
+from motes.kernels import memory
 
 Encode = Callable[[NDArray[Any]], bytes]
 
@@ -92,6 +95,65 @@ class Chunks:
         return bool(first == fill and (chunk == fill).all())
 
 
+def plain(array: Any, store: Path, part: Any) -> NDArray[Any] | None:
+    """A part of an array that begins with a chunk along its first two axes and is whole along the others, from files of bare numbers.
+
+    None where only Zarr knows how to read it, or what is wrong with it.
+
+    Parameters
+    ----------
+    array
+        The Zarr array.
+    store
+        The folder of its store.
+    part
+        Slices, as for the array.
+    """
+    kind, shape, chunks = np.dtype(array.dtype), tuple(array.shape), tuple(array.chunks)
+    if not (isinstance(part, tuple) and 2 <= len(part) <= len(shape) and all(isinstance(s, slice) for s in part)):
+        return None
+    ranges = [range(*s.indices(n)) for s, n in zip(part, shape, strict=False)]
+    whole = all(r == range(n) for r, n in zip(ranges[2:], shape[2:], strict=False)) and chunks[2:] == shape[2:]
+    aligned = all(r.step == 1 and len(r) and r.start % n == 0 for r, n in zip(ranges[:2], chunks, strict=False))
+    codecs = [codec.to_dict() for codec in array.metadata.codecs]
+    bare = len(codecs) == 1 and not getattr(array, "shards", None) and _in_order(codecs[0])
+    if not (whole and aligned and bare and kind == kind.newbyteorder("<") and kind.kind in "fiu"):
+        return None
+    ys, xs = ranges[:2]
+    found = memory.empty((len(ys), len(xs), *shape[2:]), kind)
+    for y in range(0, len(ys), chunks[0]):
+        for x in range(0, len(xs), chunks[1]):
+            place = ((ys.start + y) // chunks[0], (xs.start + x) // chunks[1]) + (0,) * (len(shape) - 2)
+            target = found[y : y + chunks[0], x : x + chunks[1]]
+            if not _filled(target, store / array.path / array.metadata.encode_chunk_key(place), chunks):
+                if not _missing(store / array.path / array.metadata.encode_chunk_key(place)):
+                    return None
+                target[...] = array.fill_value
+    return found
+
+
+def _filled(target: NDArray[Any], file: Path, chunks: tuple[int, ...]) -> bool:
+    """Read what is there of a chunk, row by row; False where there is no such file, or it is not of a chunk's size."""
+    row = math.prod(chunks[1:]) * target.itemsize
+    try:
+        with open(file, "rb", buffering=0) as stream:
+            if os.fstat(stream.fileno()).st_size != chunks[0] * row:
+                return False
+            for k, texels in enumerate(target):
+                if texels.nbytes != row:  # at the far edge
+                    stream.seek(k * row)
+                if stream.readinto(memoryview(texels).cast("B")) != texels.nbytes:
+                    return False
+    except OSError:
+        return False
+    return True
+
+
+def _missing(file: Path) -> bool:
+    """Whether there is nothing where a file would be."""
+    return not os.path.lexists(file)
+
+
 def there(folder: Path, counts: tuple[int, int]) -> NDArray[np.bool_]:
     """Which chunks of an array of two axes have a file.  They are listed: opening a million of them through Zarr would take minutes."""
     found = np.zeros(counts, bool)
@@ -111,20 +173,38 @@ def _numbered(folder: Path) -> list[int]:
 
 
 def _encoding(array: Any) -> Encode | None:
-    """What the codecs of an array do, of those that stores of Motes have: numbers as bytes, and perhaps Zstandard."""
+    """What the codecs of an array do, of those that stores of Motes have: numbers as bytes, and perhaps Blosc or Zstandard."""
     codecs = [codec.to_dict() for codec in array.metadata.codecs]
     names = [str(codec["name"]) for codec in codecs]
-    if names[:1] != ["bytes"] or (codecs[0].get("configuration") or {}).get("endian", "little") != "little":
+    if not _in_order(codecs[0]):
         return None
     if len(codecs) == 1:
         return lambda chunk: chunk.tobytes()
+    about = codecs[1].get("configuration") or {}
+    if names[1:] == ["blosc"]:
+        from numcodecs.blosc import Blosc
+
+        shuffle = {"noshuffle": Blosc.NOSHUFFLE, "shuffle": Blosc.SHUFFLE, "bitshuffle": Blosc.BITSHUFFLE}[
+            about["shuffle"]
+        ]
+        try:
+            blosc = Blosc(
+                about["cname"], int(about["clevel"]), shuffle, int(about["blocksize"]), int(about["typesize"])
+            )
+        except TypeError:  # of numcodecs before 0.16, which asks the array for the size
+            return None
+        return lambda chunk: bytes(blosc.encode(chunk))
     if names[1:] != ["zstd"]:
         return None
     from numcodecs.zstd import Zstd
 
-    about = codecs[1].get("configuration") or {}
     zstd = Zstd(level=int(about.get("level", 0)), checksum=bool(about.get("checksum", False)))
     return lambda chunk: bytes(zstd.encode(chunk))
+
+
+def _in_order(codec: dict[str, Any]) -> bool:
+    """Whether a codec, the first of an array, puts numbers down as they are, the lowest byte first."""
+    return bool(codec["name"] == "bytes" and (codec.get("configuration") or {}).get("endian", "little") == "little")
 
 
 def _replace(file: Path, data: bytes) -> None:
