@@ -21,12 +21,18 @@ import numpy as np
 Array = Any
 
 
+#: Types of Python's numbers, which have no precision of their own.
+_NUMBERS = frozenset((float, int, bool))
+
+
 def _weak(function: Any) -> Any:
     """The NumPy function; Python numbers in give a Python number out, which leaves float32 arrays as they are."""
 
-    def weak(*args: Array) -> Array:
-        result = function(*args)
-        return result if any(type(x) not in (float, int, bool) for x in args) else float(result)
+    def weak(first: Array, *others: Array) -> Array:
+        result = function(first, *others)
+        if type(first) not in _NUMBERS:  # as a rule, and it is asked hundreds of times a call
+            return result
+        return float(result) if all(type(x) in _NUMBERS for x in others) else result
 
     return weak
 

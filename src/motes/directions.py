@@ -6,6 +6,7 @@ geometry of a pair.
 
 from __future__ import annotations
 
+import math
 from functools import cached_property
 from typing import NamedTuple
 
@@ -25,6 +26,8 @@ HORIZON = 1e-6
 SMALLEST_COSINE = 1e-12
 # Of a component of a direction; a unit vector has 1, and printed digits little more.
 LONGEST = 1.01
+# Directions that are looked at together: their numbers stay in cache.
+AT_ONCE = 8192
 
 
 class Vector(NamedTuple):
@@ -271,6 +274,16 @@ def half_difference(
     theta_h = theta(wh)
     difference = _rotate(_rotate(wi, 2, -phi(wh)), 1, -theta_h)
     return theta_h, theta(difference), phi(difference)
+
+
+def half_vectors_within(angle: float, wi: NDArray[np.float64], wo: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Where the half vectors of pairs of directions (N, 3) are within an angle below pi/2 [rad] of the normal."""
+    found = np.empty(len(wi), bool)
+    for first in range(0, len(wi), AT_ONCE):
+        rows = slice(first, first + AT_ONCE)
+        x, y, z = np.add(wi[rows].T, wo[rows].T, order="C")
+        np.greater(z, math.cos(angle) * np.sqrt(x * x + y * y + z * z), out=found[rows])
+    return found
 
 
 def frame(normal: ArrayLike) -> NDArray[np.float64]:

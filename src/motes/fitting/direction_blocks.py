@@ -6,6 +6,8 @@ to be independent (errors summed over parts of the data, or parts that are left 
 
 from __future__ import annotations
 
+import weakref
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -18,6 +20,8 @@ BLOCKS, LEAST_DIRECTIONS = 24, 4
 SAME = 1e-6
 # How far from where a cut should be it is looked for first [pairs].
 WINDOW = 32
+# Of directions that do not change, as those of a measurement, until they go: many fits ask for their blocks.
+_known: dict[tuple[int, int, int], Labels] = {}
 
 
 def blocks_of(wi: Floats, wo: Floats, count: int = BLOCKS) -> Labels:
@@ -47,10 +51,18 @@ def blocks_of(wi: Floats, wo: Floats, count: int = BLOCKS) -> Labels:
     >>> blocks_of(from_spherical(theta, 0.0), from_spherical(theta, np.pi), 3).tolist()
     [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2]
     """
+    key = (id(wi), id(wo), count)
+    if key in _known:
+        return _known[key]
     at = np.ascontiguousarray(coordinates(wi, wo).T)
     labels = np.zeros(len(wi), np.intp)
     for k, part in enumerate(_cut(at, np.arange(len(wi)), count)):
         labels[part] = k
+    labels.setflags(write=False)
+    if not (wi.flags.writeable or wo.flags.writeable):
+        _known[key] = labels
+        for w in (wi, wo):
+            weakref.finalize(w, _known.pop, key, None).atexit = False
     return labels
 
 

@@ -22,6 +22,8 @@ from motes.measurements.origin import not_measured
 ERRORS = ("auto", "blocks", "independent", "bootstrap", "profile")
 #: Intervals, by name: 68 % is one standard deviation of the normal distribution.
 LEVELS = {"68": math.erf(math.sqrt(0.5)), "95": 0.95}
+# Directions whose residuals are looked at together: their numbers stay in cache.
+AT_ONCE = 8192
 # Residuals go together where they do by more than so many standard deviations of chance.
 BEYOND = 7.0
 
@@ -127,15 +129,27 @@ def together(misses: Floats, labels: Labels) -> bool:
     more than a few in ten thousand of independent data reach.
     """
     largest = max(float(misses.max(initial=0.0)), -float(misses.min(initial=0.0)), 1e-300)
-    for r in (misses / largest, np.nan_to_num(np.sign(misses))):
-        squared = np.square(r)
-        of_directions = [np.einsum("tnc->n", power) for power in (r, squared, np.square(squared))]
-        of_blocks = [np.bincount(labels, power) for power in of_directions]
-        for sums, squares, fourths in (of_directions, of_blocks):
-            excess = np.sum(sums**2) - np.sum(squares)
-            if excess > BEYOND * math.sqrt(2 * max(0.0, float(np.sum(squares**2) - np.sum(fourths)))) + 1e-12:
-                return True
+    count = int(labels.max(initial=0)) + 1
+    of_directions, of_blocks = np.zeros((2, 3)), np.zeros((2, 3, count))
+    for first in range(0, len(labels), AT_ONCE):
+        part, own = misses[:, first : first + AT_ONCE], labels[first : first + AT_ONCE]
+        for k, r in enumerate((part / largest, np.nan_to_num(np.sign(part)))):
+            squared = np.square(r)
+            sums, squares = (np.einsum("tnc->n", power) for power in (r, squared))
+            fourths = squares if k else np.einsum("tnc->n", np.square(squared))  # of signs they are the squares
+            of_directions[k] += _excess(sums, squares, fourths)
+            of_blocks[k] += [np.bincount(own, power, count) for power in (sums, squares, fourths)]
+    for found in (*of_directions, *(_excess(*blocks) for blocks in of_blocks)):
+        excess, squares_squared, fourths_ = found
+        if excess > BEYOND * math.sqrt(2 * max(0.0, squares_squared - fourths_)) + 1e-12:
+            return True
     return False
+
+
+def _excess(sums: Floats, squares: Floats, fourths: Floats) -> Floats:
+    """Of groups with these sums of residuals, of their squares and fourth powers: what squared sums exceed squares by, and two sums that tell
+    the variance of that."""
+    return np.array([np.sum(sums**2) - np.sum(squares), np.sum(squares**2), np.sum(fourths)])
 
 
 def intervals(x: Floats, steps: Floats, freedom: Floats, columns: Columns) -> dict[str, Floats]:

@@ -7,7 +7,8 @@ import itertools
 import numpy as np
 from numpy.typing import NDArray
 
-from motes.directions import half_difference
+from motes.arrays import any_last
+from motes.directions import half_vectors_within
 from motes.fitting.result import Fit
 from motes.fitting.time_result import TimeFit
 from motes.models import BRDF, describe
@@ -52,17 +53,18 @@ def missing_fresnel(fit: Fit | TimeFit) -> list[str]:
 def by_angle(fit: Fit | TimeFit) -> tuple[Floats, Floats]:
     """Near the mirror direction: mean angles of incidence on the facets (k,), from steep to grazing, and the sum of what was measured over that of the fit."""
     data = fit.measurement
-    wh = data.wi + data.wo
-    near = np.flatnonzero(wh[:, 2] > np.cos(NEAR) * np.sqrt(np.einsum("nk,nk->n", wh, wh)))
-    theta_d = half_difference(data.wi[near], data.wo[near])[1]
+    near = np.flatnonzero(half_vectors_within(NEAR, data.wi, data.wo))
+    wi, wo = data.wi[near], data.wo[near]
+    theta_d = np.arctan2(np.linalg.norm(wi - wo, axis=1), np.linalg.norm(wi + wo, axis=1))
     fitted = np.broadcast_to(fit.predicted, data.values.shape)
-    used, cosines = data.mask[:, near], data.wi[near, 2]
+    used, cosines = data.mask[:, near], wi[:, 2]
     measured, modelled = (
-        np.where(used, part[:, near], 0.0).sum(axis=(0, 2)) * cosines for part in (data.values, fitted)
+        np.einsum("tnc->n", np.where(used, part[:, near], 0.0)) * cosines for part in (data.values, fitted)
     )
+    some = any_last(used).any(axis=0)
     angles, ratio = [], []
     for low, high in itertools.pairwise(EDGES):
-        rows = used.any(axis=(0, 2)) & (theta_d >= low) & (theta_d < high)
+        rows = some & (theta_d >= low) & (theta_d < high)
         total = float(modelled[rows].sum())
         if np.count_nonzero(rows) >= FEWEST and total > 0:
             angles.append(float(theta_d[rows].mean()))

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from motes.fitting.algebra import ARRAYS, Arrays
 from motes.fitting.columns import Columns
+from motes.fitting.levenberg import FIRST_DAMPING
 from motes.fitting.losses import Floats
 from motes.fitting.solver import Normal, Solution, Spare, minimize
 
@@ -110,6 +111,8 @@ class Objective(ABC):
         sets: NDArray[np.intp] | None = None,
         held: NDArray[np.bool_] | None = None,
         reduction: float = 1e-10,
+        settled: float = 0.0,
+        damping: float = FIRST_DAMPING,
         max_iterations: int = 200,
         spare: Spare | None = None,
     ) -> Solution:
@@ -124,6 +127,8 @@ class Objective(ABC):
             brightness=float(bright.sum()) if sets is None else bright[sets],
             unit=self.columns.unit[:, 0],
             reduction=reduction,
+            settled=settled,
+            damping=damping,
             max_iterations=max_iterations,
             algebra=self.algebra,
             spare=spare,

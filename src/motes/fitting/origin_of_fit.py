@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import hashlib
+import os
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from datetime import UTC, datetime
+from functools import lru_cache
 from pathlib import Path
 from typing import Any, final
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -49,13 +52,17 @@ class Origin:
         return asdict(self)
 
 
+# Of measurements, which do not change, and of files as they were last changed: one is fitted by many models.
+_digests: WeakKeyDictionary[Measurement, str] = WeakKeyDictionary()
+
+
 def origin_of(data: Measurement, options: Mapping[str, Any]) -> Origin:
     """The origin of a fit to `data` that begins now."""
     return Origin(
         datetime.now(UTC).isoformat(timespec="seconds"),
         __version__,
         {name: _plain(value) for name, value in options.items()},
-        digest(data),
+        _digests.get(data) or _digests.setdefault(data, digest(data)),
         _file_digest(data.provenance.get("path")),
     )
 
@@ -72,10 +79,19 @@ def digest(data: Measurement) -> str:
 
 def _file_digest(path: Any) -> str | None:
     try:
-        with Path(str(path)).open("rb") as file:
-            return hashlib.file_digest(file, "sha256").hexdigest() if path else None
+        if not path:
+            return None
+        found = os.stat(str(path))
+        return _digest_of(str(path), found.st_ino, found.st_size, found.st_mtime_ns)
     except (OSError, ValueError):
         return None
+
+
+@lru_cache(maxsize=16)
+def _digest_of(path: str, *state: int) -> str:
+    """Of a file in a state: its number, its size, and when it last changed."""
+    with Path(path).open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 def _plain(value: Any) -> Any:

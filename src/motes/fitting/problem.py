@@ -157,12 +157,12 @@ class Problem(Objective):
         return self._with(
             wi=self.wi[rows],
             wo=self.wo[rows],
-            values=self.values[..., rows, :],
-            weights=self.weights[..., rows, :],
-            _columns=tuple(column[rows] if len(column) > 1 else column for column in self._columns),
+            values=self.values.take(rows, axis=-2),
+            weights=self.weights.take(rows, axis=-2),
+            _columns=tuple(column.take(rows) if len(column) > 1 else column for column in self._columns),
             _cosines=self._cosines[rows],
-            _targets=self._targets[..., rows],
-            _roots=self._roots[..., rows],
+            _targets=self._targets.take(rows, axis=-1),
+            _roots=self._roots.take(rows, axis=-1),
         )
 
     def counting(self, times: Floats) -> Self:

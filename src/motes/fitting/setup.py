@@ -114,7 +114,9 @@ def prepare(data: Measurement, model: str | BRDF | Parsed, wishes: Wishes, lenie
     loss = LOSSES[wishes.loss].of_unit(unit)
     full, factor = sample_weights(data, wishes.weights, loss)
     used: Any = any_last(full).any(axis=0)
-    used = slice(None) if used.all() else used  # no copies of large data
+    every = bool(used.all())
+    used = slice(None) if every else used  # no copies of large data
+    wi, wo = (data.wi, data.wo) if every else (data.wi[used], data.wo[used])
     values = (data.values if full.all() else np.where(full > 0, data.values, 0.0))[:, used]
     full = full[:, used]
     if not values.any():
@@ -122,8 +124,10 @@ def prepare(data: Measurement, model: str | BRDF | Parsed, wishes: Wishes, lenie
             f"all {int(np.count_nonzero(full))} usable samples are 0, so there is nothing to fit",
             "Check the exposure and the units of the data",
         )
-    with np.errstate(all="ignore"):
-        lost = int(np.count_nonzero((full > 0) & ~np.isfinite(loss.transform(values, data.wi[used, 2:3]))))
+    lost = 0
+    if not loss.is_linear:  # which is finite wherever the value is
+        with np.errstate(all="ignore"):
+            lost = int(np.count_nonzero((full > 0) & ~np.isfinite(loss.transform(values, wi[:, 2:3]))))
     if lost:
         raise DataError(
             f"the loss {loss.name} has no value at {lost} sample(s): {loss.meaning.partition(' - ')[0]} of their negative f_r",
@@ -138,8 +142,8 @@ def prepare(data: Measurement, model: str | BRDF | Parsed, wishes: Wishes, lenie
             for slot in brdf.slots()
             if slot.name in held
         },
-        wi=data.wi[used],
-        wo=data.wo[used],
+        wi=wi,
+        wo=wo,
         values=values[0] if single else values,
         weights=full[0] if single else full,
         loss=loss,

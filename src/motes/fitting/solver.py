@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,8 @@ from motes.fitting.verdicts import Status
 
 #: A last step that raises the objective by more than this share of it was none.
 UPHILL = 1e-6
+# The code of a fit that was given up; `motes.fitting.levenberg.ENDINGS` has those of the others.
+_GIVEN_UP = -1
 #: Which of the fits that still run to give up, from their parameters (R, P), objectives (R,) and iterations (R,).
 Spare = Callable[[Floats, Floats, NDArray[np.int64]], NDArray[np.bool_]]
 
@@ -69,6 +71,8 @@ def minimize(
     unit: float | Floats = 1.0,
     max_iterations: int = 200,
     reduction: float = 1e-10,
+    settled: float = 0.0,
+    damping: float = levenberg.FIRST_DAMPING,
     algebra: Arrays = ARRAYS,
     spare: Spare | None = None,
 ) -> Solution:
@@ -88,6 +92,10 @@ def minimize(
         How large ordinary values are, or (P,) of each parameter; see `motes.fitting.columns.Columns`.
     reduction
         Converged when a full step promises less than this share of the objective; see also `motes.fitting.levenberg`.
+    settled
+        A last step that promises less than this share of the objective is not taken: the normal equations are those of where it ends then.
+    damping
+        The first; less where the starts are near a solution.
     algebra
         What the Gauss-Newton matrices are solved with.
     spare
@@ -95,8 +103,6 @@ def minimize(
     """
     x = np.clip(np.array(x, float), low, high)
     batch, size = x.shape
-    fixed = np.broadcast_to(np.zeros(size) if held is None else held, x.shape).astype(float)
-    bright = np.broadcast_to(np.asarray(brightness, float), (batch,))
     box = Box(*(np.broadcast_to(np.asarray(part, float), (size,))[:, None] for part in (low, high, unit)))
     precision = Precision(np.float64(reduction), np.float64(0.0))
 
@@ -105,30 +111,21 @@ def minimize(
 
     found, seen = Normal(*(np.array(part) for part in at_rows(x, np.arange(batch)))), x.copy()
     endings, iterations = np.zeros(batch, np.intp), np.zeros(batch, np.int64)
-    first = levenberg.FIRST_DAMPING, levenberg.FIRST_GROWTH, 0.0
     running = np.arange(batch)
-    damping = Damping(*(np.full(batch, number) for number in first))
-    lanes = _Lanes(x, found.objective, found.gradient, found.matrix, damping, fixed, bright)
+    lanes = _Lanes.of(x, found, np.zeros(size) if held is None else held, brightness, damping)
 
-    def end(which: NDArray[np.bool_]) -> _Lanes:
-        """Put down where some of the lanes are, and go on with the others."""
+    def end(which: NDArray[np.bool_], last: Floats) -> _Lanes:
+        """Put down where some of the lanes are, and at what points (P, B) they end, and go on with the others."""
         rows = running[which]
-        x[rows] = seen[rows] = lanes.x[which]
-        found.objective[rows], found.gradient[rows], found.matrix[rows] = (
-            part[which] for part in (lanes.objective, lanes.gradient, lanes.matrix)
-        )
+        x[rows], seen[rows] = last.T[which], lanes.x.T[which]
+        found.objective[rows], found.gradient[rows] = lanes.objective[which], lanes.gradient.T[which]
+        found.matrix[rows] = lanes.matrix[which]
         return lanes.among(~which)
 
     with np.errstate(all="ignore"):
         for _ in range(max_iterations):
-            if spare is not None:
-                superfluous = spare(lanes.x, lanes.objective, iterations[running])
-                if superfluous.any():
-                    lanes, running = end(superfluous), running[~superfluous]
-                if not len(running):
-                    break
-            at = At(lanes.x.T, lanes.objective, lanes.gradient.T, lanes.matrix.transpose(1, 2, 0))
-            stopped = levenberg.held(algebra, at, box, lanes.fixed.T, lanes.bright)
+            at = At(lanes.x, lanes.objective, lanes.gradient, lanes.matrix.transpose(1, 2, 0))
+            stopped = levenberg.held(algebra, at, box, lanes.fixed, lanes.bright)
             step, scale = None, levenberg.scale_of(algebra, at.matrix, box)
             for _round in range(levenberg.ROUNDS):
                 step, stopped, leaving = levenberg.bounded_step(
@@ -137,45 +134,92 @@ def minimize(
                 if not leaving.any():
                     break
             assert step is not None
-            proposed = levenberg.proposal(algebra, at, lanes.damping, step, box, precision, lanes.bright)
-            moved, promised = proposed.moved.T, proposed.promised
-            ended = proposed.ending > 0
+            moved, promised, ending = levenberg.proposal(algebra, at, lanes.damping, step, box, precision, lanes.bright)
+            last = moved if not settled else np.where(promised < settled * lanes.objective, lanes.x, moved)
+            if spare is not None:  # these stay where they are
+                superfluous = spare(lanes.x.T, lanes.objective, iterations[running])
+                if superfluous.any():
+                    last = np.where(superfluous, lanes.x, last)
+                    ending = np.where(superfluous, _GIVEN_UP, ending)
+            ended = ending != 0
             if ended.any():
-                endings[running[ended]] = proposed.ending[ended].astype(np.intp)
-                last, steps = running[ended], moved[ended]
-                lanes, running, moved, promised = end(ended), running[~ended], moved[~ended], promised[~ended]
-                x[last] = steps
+                endings[running[ended]] = ending[ended].astype(np.intp)
+                lanes, running = end(ended, last), running[~ended]
                 if not len(running):
                     break
+                moved, promised = moved[:, ~ended], promised[~ended]
             iterations[running] += 1
-            new = at_rows(moved, running)
+            new = at_rows(moved.T, running)
             verdict = levenberg.judged(algebra, lanes.objective, new.objective, promised, lanes.damping, precision)
-            better = verdict.better > 0
-            taken: list[Floats] = [moved, *new]
-            if not better.all():
-                was = (lanes.x, lanes.objective, lanes.gradient, lanes.matrix)
-                taken = [
-                    np.where(better.reshape(-1, *[1] * (now.ndim - 1)), now, before)
-                    for now, before in zip(taken, was, strict=True)
-                ]
-            lanes = _Lanes(taken[0], taken[1], taken[2], taken[3], verdict.damping, lanes.fixed, lanes.bright)
-        end(np.ones(len(running), bool))
-    return Solution(x, seen, found, [levenberg.ENDINGS[code] for code in endings], iterations)
+            lanes = lanes.after(moved, new, verdict.better > 0, verdict.damping)
+        if len(running):
+            end(np.ones(len(running), bool), lanes.x)
+    return Solution(x, seen, found, [levenberg.ENDINGS[code] for code in np.maximum(endings, 0)], iterations)
 
 
 class _Lanes(NamedTuple):
-    """What is known of the fits that still run: of each (P,), (), (P,), (P, P), the damping, what is held (P,), and ()."""
+    """What is known of the fits that still run: numbers, a column each, in one array, which is quickly cut; and their matrices (B, P, P).
 
-    x: Floats
-    objective: Floats
-    gradient: Floats
-    matrix: Floats
-    damping: Damping
-    fixed: Floats
-    bright: Floats
+    From the top the numbers are the parameters (P,), the gradient (P,), what is held (P,), the objective, the damping and the brightness.
+    """
+
+    numbers: Any
+    matrix: Any
+
+    @classmethod
+    def of(cls, x: Floats, at: Normal, fixed: NDArray[Any], bright: float | Floats, damping: float) -> _Lanes:
+        """Those that begin at points (B, P)."""
+        size = x.shape[1]
+        numbers = np.empty((3 * size + 5, len(x)))
+        numbers[:size], numbers[size : 2 * size] = x.T, at.gradient.T
+        numbers[2 * size : 3 * size] = np.broadcast_to(fixed, x.shape).T
+        numbers[3 * size :] = 0.0
+        numbers[-5], numbers[-4], numbers[-3] = at.objective, damping, levenberg.FIRST_GROWTH
+        numbers[-1] = bright
+        return cls(numbers, at.matrix)
+
+    @property
+    def x(self) -> Any:
+        return self.numbers[: self.matrix.shape[1]]
+
+    @property
+    def gradient(self) -> Any:
+        size = self.matrix.shape[1]
+        return self.numbers[size : 2 * size]
+
+    @property
+    def fixed(self) -> Any:
+        size = self.matrix.shape[1]
+        return self.numbers[2 * size : 3 * size]
+
+    @property
+    def objective(self) -> Any:
+        return self.numbers[-5]
+
+    @property
+    def damping(self) -> Damping:
+        return Damping(self.numbers[-4], self.numbers[-3], self.numbers[-2])
+
+    @property
+    def bright(self) -> Any:
+        return self.numbers[-1]
 
     def among(self, rows: NDArray[np.bool_]) -> _Lanes:
         """Some of them."""
-        x, objective, gradient, matrix, damping, fixed, bright = self
-        damped = Damping(*(part[rows] for part in damping))
-        return _Lanes(x[rows], objective[rows], gradient[rows], matrix[rows], damped, fixed[rows], bright[rows])
+        return _Lanes(self.numbers[:, rows], self.matrix[rows])
+
+    def after(self, moved: Floats, new: Normal, better: NDArray[np.bool_], damping: Damping) -> _Lanes:
+        """The same at points (P, B) where those are better, with the damping that follows."""
+        numbers = self.numbers.copy()
+        size = self.matrix.shape[1]
+        numbers[-4], numbers[-3], numbers[-2] = damping
+        if better.all():
+            numbers[:size], numbers[size : 2 * size], numbers[-5] = moved, new.gradient.T, new.objective
+            return _Lanes(numbers, new.matrix)
+        for part, now in (
+            (numbers[:size], moved),
+            (numbers[size : 2 * size], new.gradient.T),
+            (numbers[-5], new.objective),
+        ):
+            np.copyto(part, now, where=better)
+        return _Lanes(numbers, np.where(better[:, None, None], new.matrix, self.matrix))

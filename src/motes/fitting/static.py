@@ -17,6 +17,7 @@ from motes.fitting.choice import CANDIDATES, bic, is_auto
 from motes.fitting.climbing import climb, even_rows
 from motes.fitting.estimating import estimated
 from motes.fitting.judgement import Contender, judged
+from motes.fitting.levenberg import FIRST_DAMPING
 from motes.fitting.losses import ROBUST, Floats
 from motes.fitting.metrics import chi_square, deviation, distances, relative_rms
 from motes.fitting.nested import Found, nearer
@@ -36,8 +37,11 @@ from motes.models import BRDF, describe
 from motes.models.composition import layer_of
 from motes.models.expressions import Parsed
 
-#: With more than three times as many samples, starts are thinned out on a part of so many first.
+#: With more than three times as many samples, starts are thinned out on a part of so many first, of `PARTS` the larger ones later.
 PART_SAMPLES = 200_000
+PARTS = ((PART_SAMPLES, 1), (20_000, 3))  # with how many of the starts are followed
+# Where the fit to a part ended, the whole one starts a few standard errors from its end, and damping would only keep it from there.
+NEAR_DAMPING = 1e-7
 
 
 def fit_scan(
@@ -82,7 +86,7 @@ def _starts(problem: Problem, given: Floats | None) -> Floats:
     work = len(problem.wi) * problem.channels
     # With much data a part of it says nearly the same: the starts are found on the largest and thinned out on growing ones.
     parts: list[tuple[Problem, int]] = []
-    for samples, most in ((PART_SAMPLES, 1), (20_000, 3)):
+    for samples, most in PARTS:
         if work > 3 * samples:
             whole = parts[-1][0] if parts else problem
             rows = even_rows(len(whole.wi), max(200, samples // problem.channels))
@@ -146,6 +150,9 @@ class _Attempt:
         work = len(problem.wi) * problem.channels
         # A relative change of the objective of 1/work moves the parameters by about a standard error.
         reduction = min(1e-8, 1e-2 / work) if work > PART_SAMPLES else 1e-10
+        # With much data each pass counts: a last step of less than a thousandth of a standard error is none.
+        of_part = work > 3 * PARTS[-1][0]
+        settled, damping = (1e-6 / work, NEAR_DAMPING) if of_part else (0.0, FIRST_DAMPING)
         if near is not None:
             starts = near[None]
         elif (channels := even_channels(problem.weights)) is not None:
@@ -154,10 +161,10 @@ class _Attempt:
             starts = problem.between_channels(part, rough.x[rough.best()], channels)[None]
         else:
             starts = _starts(problem, given)
-        solution = problem.solve(starts, reduction=reduction)
+        solution = problem.solve(starts, reduction=reduction, settled=settled, damping=damping)
         simpler = nearer(problem, self.below, float(solution.normal.objective.min()))
         if simpler is not None:
-            solution = problem.solve(simpler[None], reduction=reduction)
+            solution = problem.solve(simpler[None], reduction=reduction, settled=settled)
         if self.wishes.robust != "none":
             residual = problem.residuals(solution.x[solution.best()])[problem.weights > 0]
             scale = float(deviation(residual, self.problem.unit))

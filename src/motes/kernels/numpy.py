@@ -102,22 +102,21 @@ class FitFunction:
 
     def geometry(self, wi: NDArray[Any], wo: NDArray[Any]) -> Columns:
         """Everything that depends on the directions ``wi, wo`` (N, 3) alone: float64 arrays (N, 1)."""
-        axes = [
-            np.ascontiguousarray(w[:, k])
-            for w in (np.asarray(wi, np.float64), np.asarray(wo, np.float64))
-            for k in range(3)
-        ]
-        count = len(axes[0])
+        wi, wo = np.asarray(wi, np.float64), np.asarray(wo, np.float64)
+        count = len(wi)
         with np.errstate(all="ignore"):
-            columns = self._geometry(*(axis[:BLOCK, None] for axis in axes))
+            columns = self._geometry(*_axes(wi[:BLOCK], wo[:BLOCK]))
             if count <= BLOCK:
                 return columns
-            whole = tuple(np.empty((count, 1)) if len(column) == BLOCK else column for column in columns)
+            # In one array: the system hands out memory of some megabytes in large pages, and many small ones take as long as what is computed.
+            long = [len(column) == BLOCK for column in columns]
+            room = iter(np.empty((sum(long), count, 1)))
+            whole = tuple(next(room) if own else column for own, column in zip(long, columns, strict=True))
             for first in range(0, count, BLOCK):  # whose intermediate results stay in cache
                 rows = slice(first, first + BLOCK)
-                columns = self._geometry(*(axis[rows, None] for axis in axes)) if first else columns
-                for column, part in zip(whole, columns, strict=True):
-                    if len(column) == count:
+                columns = self._geometry(*_axes(wi[rows], wo[rows])) if first else columns
+                for own, column, part in zip(long, whole, columns, strict=True):
+                    if own:
                         column[rows] = part
         return whole
 
@@ -145,6 +144,11 @@ class FitFunction:
         with np.errstate(all="ignore"):
             f, *derivatives = self._both(geometry, parameters)
         return f, dict(zip(self.fitted, derivatives, strict=True))
+
+
+def _axes(wi: NDArray[np.float64], wo: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """The six components (n, 1) of pairs of directions (n, 3), each in one piece."""
+    return [np.ascontiguousarray(w[:, k])[:, None] for w in (wi, wo) for k in range(3)]
 
 
 _functions: dict[tuple[Any, ...], FitFunction] = {}

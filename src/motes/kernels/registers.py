@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from motes.graph.dependence import live
 from motes.graph.tracing import Symbol
 
-#: Functions of NumPy by operation; all but ``where`` can be told where to write.
+#: Functions of NumPy by operation; all but ``where`` can be told where to write, for which `program` writes two statements.
 CALLS = {
     "neg": "negative",
     "add": "add",
@@ -73,14 +73,14 @@ def program(outputs: Sequence[Symbol], given: Mapping[Symbol, str], constant: Ca
     outputs
         What to compute.
     given
-        The text of the symbols that are there already, rows or numbers; they are not written to.
+        The text of the symbols that are there already, rows or numbers; they are not written to.  Truth values among them are no rows.
     constant
         The text of a number or a truth value.
     """
     order = [symbol for symbol in live(outputs, given) if symbol not in given]
     last = {a: k for k, symbol in enumerate(order) for a in symbol.args}
     last |= dict.fromkeys(outputs, len(order))
-    kinds = {"numbers": _Names("r"), "truths": _Names("m"), "chosen": _Names("w")}
+    kinds = {"numbers": _Names("r"), "truths": _Names("m")}
     text, lines = dict(given), list[str]()
     held: dict[Symbol, _Names] = {}
     for k, symbol in enumerate(order):
@@ -89,21 +89,41 @@ def program(outputs: Sequence[Symbol], given: Mapping[Symbol, str], constant: Ca
             continue
         if symbol.op == "leaf":
             raise KeyError(f"the leaf {symbol!r} was not given")
-        arguments = ", ".join(text[a] for a in symbol.args)
-        for a in dict.fromkeys(
-            symbol.args
-        ):  # a result may be written where an argument was: number by number, each is read first
-            if a in held and last[a] == k:
-                held.pop(a).give_back(text[a])
-        kind = kinds["truths" if symbol.op in _TRUTHS else "chosen" if symbol.op == "where" else "numbers"]
-        name = text[symbol] = kind.take()
-        held[symbol] = kind
-        call = CALLS[symbol.op]
+        ends = [a for a in dict.fromkeys(symbol.args) if a in held and last[a] == k]
         if symbol.op == "where":
-            lines.append(f"{name} = where({arguments})")
+            name, more = _chosen(symbol, text, kinds["numbers"], held, ends)
+            lines += more
+            kind = kinds["numbers"]
         else:
+            arguments = ", ".join(text[a] for a in symbol.args)
+            for a in ends:  # a result may be written where an argument was: number by number, each is read first
+                held.pop(a).give_back(text[a])
+            kind = kinds["truths" if symbol.op in _TRUTHS else "numbers"]
+            name = kind.take()
             target = f"out={name}" if symbol.op in ("minimum", "maximum") else name
-            lines.append(f"{call}({arguments}, {target})")
+            lines.append(f"{CALLS[symbol.op]}({arguments}, {target})")
+        text[symbol], held[symbol] = name, kind
     return Program(
         tuple(lines), tuple(text[symbol] for symbol in outputs), kinds["numbers"].count, kinds["truths"].count
     )
+
+
+def _chosen(
+    symbol: Symbol, text: Mapping[Symbol, str], numbers: _Names, held: dict[Symbol, _Names], ends: list[Symbol]
+) -> tuple[str, list[str]]:
+    """Where a choice is written, and by which statements; `ends` are the arguments that nothing asks for after it.
+
+    ``where`` makes a new array, in the time of two other operations; so what the condition names is put into the other numbers.
+    """
+    condition, first, second = symbol.args
+    alone = condition not in held  # one truth value for all directions
+    if not alone and second in ends and held[second] is numbers:
+        name, lines = text[second], []
+        held.pop(second)
+        ends.remove(second)
+    else:
+        name = numbers.take()  # before the arguments give theirs back, for one of them is read after it is written to
+        lines = [f"copyto({name}, {f'{text[first]} if {text[condition]} else ' if alone else ''}{text[second]})"]
+    for a in ends:
+        held.pop(a).give_back(text[a])
+    return name, lines if alone else [*lines, f"putmask({name}, {text[condition]}, {text[first]})"]

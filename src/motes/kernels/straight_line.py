@@ -27,7 +27,7 @@ _OF_SCALARS: dict[str, Any] = {
     "maximum": lambda a, b: a if a > b or a != a else b,
     "where": lambda condition, a, b: a if condition else b,
 }
-_OF_ROWS: dict[str, Any] = {name: getattr(np, name) for name in CALLS.values()}
+_OF_ROWS: dict[str, Any] = {name: getattr(np, name) for name in (*CALLS.values(), "copyto", "putmask")}
 
 
 class Formula:

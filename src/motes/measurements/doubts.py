@@ -5,6 +5,8 @@ Nothing here changes a number.  Each finding says what was seen and, where there
 
 from __future__ import annotations
 
+from weakref import WeakKeyDictionary
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -27,12 +29,22 @@ RIDGE = 1e-10  # of squares that are 1
 BETTER = 0.25  # the turned azimuths must leave so much of the squared residuals, or less
 
 
+# Of measurements, which do not change: each fit of one says so again.
+_known: WeakKeyDictionary[Measurement, tuple[str, ...]] = WeakKeyDictionary()
+
+
 def implausible(data: Measurement) -> tuple[str, ...]:
     """What is odd about a measurement, the most important first; empty when nothing is."""
+    if data not in _known:
+        _known[data] = tuple(_looked_for(data))
+    return _known[data]
+
+
+def _looked_for(data: Measurement) -> list[str]:
     found: list[str] = []
     for check in (fillers, _energy, _angles, _side, _wavelengths, _channels, _rows, _scans, _dark, _uncertainties):
         found += check(data)
-    return tuple(found)
+    return found
 
 
 def _reflected(data: Measurement) -> Floats:
@@ -41,8 +53,7 @@ def _reflected(data: Measurement) -> Floats:
     result = np.full((data.n_times, data.n_channels), np.nan)
     cosines = data.wi[:, 2] * data.wo[:, 2]
     weighted = bool(np.ptp(data.weights) > 0)
-    wh = data.wi + data.wo
-    away = wh[:, 2] < np.cos(AWAY) * np.sqrt(np.einsum("nk,nk->n", wh, wh))
+    away = ~directions.half_vectors_within(AWAY, data.wi, data.wo)
     for t in range(data.n_times):
         for c in range(data.n_channels):
             use = data.mask[t, :, c] if weighted else data.mask[t, :, c] & away

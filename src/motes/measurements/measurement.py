@@ -76,10 +76,11 @@ class Measurement:
     def __post_init__(self) -> None:
         for name in ("wi", "wo", "values", "times", "mask", "weights", "wavelengths", "uncertainties", "_codes"):
             array = getattr(self, name)
-            if array is not None:
-                array = np.asarray(array).view()
-                array.setflags(write=False)
-                object.__setattr__(self, name, array)
+            if array is None or (type(array) is np.ndarray and not array.flags.writeable):
+                continue  # parts of a measurement share its directions, by which what is known of them is found again
+            array = np.asarray(array).view()
+            array.setflags(write=False)
+            object.__setattr__(self, name, array)
 
     @classmethod
     def from_arrays(

@@ -75,6 +75,7 @@ def averaged(model: P, like: Array, extra_axes: int = 0) -> P:
 def unchecked(model: P, by_path: dict[tuple[str, ...], Array]) -> P:
     """A copy with values put in as they are: for values that were checked in another shape."""
     clone = copy(model)
+    vars(clone).pop("_slots", None)  # those of the values before
     for path, value in by_path.items():
         if len(path) == 1:
             object.__setattr__(clone, path[0], value)

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields, replace
-from functools import cache
+from functools import cache, cached_property
 from typing import Any, Self
 
 import numpy as np
@@ -129,13 +129,18 @@ class Parametrised:
 
         A name met a second time gets the suffix ``_2``.
         """
+        return tuple(slot for slot in self._slots if slot.parameter.role in roles) if roles else self._slots
+
+    @cached_property
+    def _slots(self) -> tuple[Slot, ...]:
+        """All of them, found once: a fit asks for them dozens of times."""
         seen: dict[str, int] = {}
         slots = []
         for path, declared, value in self._walk():
             count = seen[declared.name] = seen.get(declared.name, 0) + 1
             name = declared.name if count == 1 else f"{declared.name}_{count}"
             slots.append(Slot(name, path, declared, value))
-        return tuple(slot for slot in slots if not roles or slot.parameter.role in roles)
+        return tuple(slots)
 
     def beside(self, slot: Slot, role: Role) -> Slot | None:
         """The parameter of that role in the same part as `slot`: the width of the highlight whose strength it is."""
