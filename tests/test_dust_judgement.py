@@ -12,12 +12,13 @@ import photons
 from fitting_oracle import scattered
 from motes.fitting.climbing import climb
 from motes.fitting.direction_blocks import blocks_of
-from motes.fitting.judgement import Contender, judged, simplest, standard_errors
+from motes.fitting.judgement import DARKEST, Contender, judged, reduced_albedo, simplest, standard_errors
 from motes.fitting.ladder import FOLDS
 from motes.fitting.setup import Wishes
 from motes.measurements import Measurement
 from motes.models import Beckmann, CoatedDiffuse, Dielectric
 from motes.models.composition import in_words
+from motes.models.dust_optics import DUSTS
 from motes.parameters import Role
 
 WISHES = Wishes("linear", "none", "measurement", (), ())
@@ -54,6 +55,12 @@ def test_the_simplest_is_taken_than_which_the_best_is_not_clearly_better() -> No
         (0.8, {Role.DEPTH: 0.03}, 24_000.0, False),
         (0.5, {Role.SINGLE_SCATTERING_ALBEDO: 1.4}, 24_000.0, None),
         (0.5, {Role.SINGLE_SCATTERING_ALBEDO: 0.1}, 24_000.0, None),
+        (
+            0.5,
+            {Role.SINGLE_SCATTERING_ALBEDO: 0.4, Role.ASYMMETRY: 0.85},
+            24_000.0,
+            None,
+        ),  # nearly all goes straight on
         (0.5, {Role.ASYMMETRY: -0.6}, 24_000.0, None),
         (0.5, {}, 1_000.0, None),  # 15 % of the data are left
     ],
@@ -67,6 +74,18 @@ def test_dust_is_called_dust_where_it_is_decisive_possible_and_close(
     assert found.dusty is dusty
     assert found.chosen.text == ("dust" if dusty else "clean")
     assert found.share == pytest.approx(each)
+
+
+def test_a_heap_of_any_known_dust_but_soot_is_bright_enough() -> None:
+    """The thresholds stand between soot and coarse desert dust; grains that absorb nothing, or scatter evenly, stay what they are."""
+    assert reduced_albedo(1.0, 0.7) == pytest.approx(1.0)
+    assert reduced_albedo(0.6, 0.0) == pytest.approx(0.6)
+    found = {}
+    for name, dust in DUSTS.items():
+        w, g = (float(np.mean(number)) for number in dust.at([450, 550, 650]))
+        found[name] = reduced_albedo(w, g)
+    assert {name for name, albedo in found.items() if albedo < DARKEST} == {"soot"}
+    assert found["desert_coarse"] < 1.2 * DARKEST, "the next one is not far above"
 
 
 def test_layers_that_scatter_once_are_no_evidence_beside_those_that_scatter_often() -> None:

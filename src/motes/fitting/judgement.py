@@ -28,9 +28,10 @@ DECISIVE = 0.7
 IDLE = 0.9
 # ... and follows the data itself, within this relative RMS of what was left out.
 FOLLOWS = 0.12
-# Layers that can be dust: the optical thickness, the albedo of a grain (below it a layer is a shadow; soot alone is as dark), the mean
-# cosine (what is known of real dust is above 0).
-THINNEST, DARKEST, WHITEST, MOST_BACKWARD = 0.06, 0.25, 1.02, -0.3
+# Layers that can be dust: the optical thickness, the albedo of a grain, the mean cosine (what is known of real dust is above 0).
+THINNEST, WHITEST, MOST_BACKWARD = 0.06, 1.02, -0.3
+#: The least reduced albedo of dust: a heap of grains with less is darker than one of soot, and a layer of them is a shadow.
+DARKEST = 0.15
 
 
 @dataclass(frozen=True)
@@ -92,10 +93,8 @@ class Contender:
         if not self.layers or self.thin:
             return False
         thickest = max(self.layers, key=lambda layer: layer.get(Role.DEPTH, 0.0))
-        return (
-            DARKEST <= thickest.get(Role.SINGLE_SCATTERING_ALBEDO, 0.5) <= WHITEST
-            and thickest.get(Role.ASYMMETRY, 0.0) >= MOST_BACKWARD
-        )
+        w, g = thickest.get(Role.SINGLE_SCATTERING_ALBEDO, 0.5), thickest.get(Role.ASYMMETRY, 0.0)
+        return reduced_albedo(w, g) >= DARKEST and w <= WHITEST and g >= MOST_BACKWARD
 
 
 class Judgement(NamedTuple):
@@ -120,6 +119,15 @@ class Judgement(NamedTuple):
     share: float
     errors: float
     counts: bool = False
+
+
+def reduced_albedo(w: float, g: float) -> float:
+    """The single-scattering albedo of grains that scatter evenly and make as bright a heap as those of albedo `w` and mean cosine `g`.
+
+    Light that goes straight on is as good as not scattered: w (1 - g) / (1 - w g), the similarity relation of van de Hulst, Multiple Light
+    Scattering, 1980, section 14.1.
+    """
+    return w * (1 - g) / (1 - w * g) if w * g < 1 else math.inf
 
 
 def standard_errors(better: Contender, worse: Contender) -> float:
