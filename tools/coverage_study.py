@@ -1,18 +1,16 @@
 """How often intervals hold the truth, and how errors compare with a bootstrap of real measurements; writes docs/uncertainty.md.
 
-    python tools/coverage_study.py [--repeats 200] [--kept FOLDER] [--simulated] [--data ../shared/data] [-o ...]
+    python tools/coverage_study.py [--repeats 200] [--kept FOLDER] [--only PART] [--data ../shared/data] [-o ...]
 
 Surfaces are simulated again and again, each time at other pairs of directions and with other noise, and fitted by
 oren_nayar + torrance_sparrow.  Where that is not the model that made them, the truth is the nearest it can come: its fit to 50,000 directions
 without noise.  Ways to compute errors are compared on the same fits (`error_ways`).
-The page is made by this script alone; parts whose data are missing are left out.
+The page is made by this script alone, with ``--only`` one of its parts; each says by which commit.  Kinds of measurements at hand are taken.
 """
 
 from __future__ import annotations
 
 import argparse
-import subprocess
-import sys
 import tempfile
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -21,8 +19,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+from commits import commit_of_sources
 from error_ways import OURS, WAYS, Bars, recorded
 from numpy.typing import NDArray
+from published_fits import dozen, merl_material
 
 import motes
 from motes.directions import half_difference
@@ -39,11 +39,13 @@ LENGTH, DEPTH = 0.2, 0.08
 #: Directions of a measurement, and of what the nearest that a model can come is taken from: of 6,000 it is off by half the standard deviation
 #: of a fit to 205, and all repeats are off to the same side.
 COUNT, DENSE = 205, 50_000
+REAL = "## Real measurements"
+#: Of real measurements with more directions an even part of so many.
+FEW = 2000
 #: The nearest that the model can come to the surface of a repeat, once it is known.
 NEAREST: dict[tuple[str, float, float], Floats] = {}
 # What 68 and 95 % are to cover where the model misses something.
 LOW, HIGH = (55.0, 88.0), (80.0, 99.0)
-MERL = ("pink-felt", "blue-acrylic", "alum-bronze")
 
 
 def directions(count: int, rng: np.random.Generator, near: float) -> tuple[Floats, Floats]:
@@ -177,7 +179,7 @@ class Repeat:
 
     @classmethod
     def kept(cls, case: str, number: int, folder: Path | None) -> Repeat:
-        """The repeat, out of the folder if it is there: each is a file, so that a run can be stopped and go on."""
+        """The repeat, out of the folder if it is there: each is a file, so that a run of the same sources can be stopped and go on."""
         if folder is None:
             return cls.of(case, number)
         path = folder / f"{list(CASES).index(case)}-{number}.npz"
@@ -258,7 +260,7 @@ def coverage(repeats: int, folder: Path | None) -> tuple[list[str], list[str]]:
     return lines, compared(every)
 
 
-def thinned(data: Measurement, most: int = 2000) -> Measurement:
+def thinned(data: Measurement, most: int = FEW) -> Measurement:
     """An even part of the directions, since a fit is repeated hundreds of times."""
     if data.n_directions <= most:
         return data
@@ -266,18 +268,17 @@ def thinned(data: Measurement, most: int = 2000) -> Measurement:
 
 
 def real(folder: Path) -> Iterator[tuple[str, list[Measurement]]]:
-    """Kinds of real measurements, a few of each."""
-    if (folder / "curet").exists():
-        samples = list_samples(folder / "curet")[::8]
+    """The measurements at hand, by kind."""
+    samples = list_samples(folder / "curet") if (folder / "curet").exists() else []
+    if samples:
         yield f"CUReT, {len(samples)} samples", [motes.read(folder / "curet", sample=int(s)) for s in samples]
-    files = sorted((folder / "rgl").glob("*_rgb.bsdf"))[:4] if (folder / "rgl").exists() else []
+    files = sorted((folder / "rgl").glob("*_rgb.bsdf"))
     if files:
         yield f"RGL, {len(files)} materials", [thinned(motes.read(path, resolution=12)) for path in files]
-    writer = folder.parent / "tools" / "write_merl.py"
-    if writer.exists() and (folder / "merl-nbrdf").exists():
+    names = dozen(folder)
+    if names:
         with tempfile.TemporaryDirectory() as place:
-            subprocess.run([sys.executable, writer, place, *MERL], check=True, capture_output=True)
-            found = [thinned(motes.read(Path(place) / f"{name}.binary")) for name in MERL]
+            found = [thinned(merl_material(folder, Path(place), name)) for name in names]
         yield f"MERL format, {len(found)} materials", found
 
 
@@ -308,25 +309,33 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--repeats", type=int, default=200)
     parser.add_argument("--kept", type=Path, help="where repeats are kept, and those of an earlier run taken from")
-    parser.add_argument(
-        "--simulated", action="store_true", help="leave what the page says of real measurements as it is"
-    )
-    parser.add_argument("--data", type=Path, default=Path("../shared/data"))
+    parser.add_argument("--only", choices=("simulated", "real"), help="the other part stays as the page has it")
+    parser.add_argument("--data", type=Path, default=Path(__file__).resolve().parents[2] / "shared" / "data")
     parser.add_argument(
         "-o", "--output", type=Path, default=Path(__file__).resolve().parents[1] / "docs" / "uncertainty.md"
     )
     options = parser.parse_args()
-    title = "## Real measurements"
-    if options.simulated:
-        last = options.output.read_text().partition(title)[2].strip("\n").splitlines()
-    else:
-        last = [
+    before = options.output.read_text() if options.only else ""
+    simulated = before.partition(REAL)[0] if options.only == "real" else study(options.repeats, options.kept)
+    real = before.partition(REAL)[2] if options.only == "simulated" else ratios_in_words(options.data)
+    write_text(options.output, f"{simulated.rstrip()}\n\n{REAL}\n\n{real.strip()}\n")
+
+
+def ratios_in_words(data: Path) -> str:
+    return "\n".join(
+        [
             "The error by the block bootstrap (400 draws) over that by the formula, medians over materials: near 1 where the formula says what happens",
-            f"when other blocks are measured. `{MODEL}`; of more than 2,000 directions an even part. Blank: at a bound.",
+            f"when other blocks are measured. `{MODEL}`; of more than {FEW:,} directions an even part. Blank: at a bound.",
             "",
-            *ratios(options.data),
+            *ratios(data),
+            "",
+            f"*By commit {commit_of_sources()}.*",
         ]
-    table, ways = coverage(options.repeats, options.kept)
+    )
+
+
+def study(repeats: int, kept: Path | None) -> str:
+    table, ways = coverage(repeats, kept)
     page = [
         "# How far error bars are to be believed",
         "",
@@ -334,7 +343,7 @@ def main() -> None:
         "",
         "## Coverage",
         "",
-        f"How often intervals of 68 and 95 % hold the truth, in percent of {options.repeats} repeats, each with directions and noise (2 %) of its own: {COUNT}",
+        f"How often intervals of 68 and 95 % hold the truth, in percent of {repeats} repeats, each with directions and noise (2 %) of its own: {COUNT}",
         f"directions, three channels, fitted by `{MODEL}`. Where another surface made the data (a material drawn at random each time, or a smooth field on",
         f"one), the truth is the nearest that the model can come: its fit to {DENSE:,} directions without noise. A truth at a bound does not count. Nothing is",
         "said of the arrays, so that the residuals decide what the default is: how often it was is in the third column.",
@@ -352,7 +361,7 @@ def main() -> None:
         "",
         "## Ways to compute them",
         "",
-        f"{options.repeats} repeats of the same designs, from the same fits; such shares are good to about {spread(options.repeats)}. To aim at: {LOW[0]:.0f}",
+        f"{repeats} repeats of the same designs, from the same fits; such shares are good to about {spread(repeats)}. To aim at: {LOW[0]:.0f}",
         f"to {HIGH[0]:.0f} % and {LOW[1]:.0f} to {HIGH[1]:.0f} % in the five designs with misfit. The last column: what is covered beneath the field by",
         f"intervals that are widened or narrowed until they cover the nearest to it in {HIGH[0]:.0f} %. CR2 and CR3 make up for what a block did to the fit",
         "itself (Bell and McCaffrey 2002), each with its degrees of freedom; few large blocks are also how Bester, Conley and Hansen (2011) go about it.",
@@ -376,11 +385,9 @@ def main() -> None:
         "parameters are asked for cannot be told from a surface to which the nearest is asked for. Those who know that what a model misses varies from sample",
         "to sample, and want errors for that, should measure several samples: their scatter is that error.",
         "",
-        title,
-        "",
-        *last,
+        f"*By commit {commit_of_sources()}.*",
     ]
-    write_text(options.output, "\n".join(page) + "\n")
+    return "\n".join(page)
 
 
 def spread(repeats: int) -> int:

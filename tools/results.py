@@ -1,6 +1,6 @@
 """Fit every real measurement at hand and write docs/results.md.
 
-usage: python tools/results.py [--data ../shared/data] [-o docs/results.md] [--only PART ...]
+usage: python tools/results.py [--data ../shared/data] [-o docs/results.md] [--only PART ...] [--jobs N]
 
 The page is made by this script alone; parts whose data are missing are left out, and the page says so.  With ``--only`` the other
 parts stay as the page has them; each says by which commit it was made.
@@ -11,25 +11,27 @@ from __future__ import annotations
 import argparse
 import contextlib
 import io
+import os
 import platform
 import subprocess
 import sys
 import tempfile
 import time
 from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 
 import numpy as np
-from published_fits import dozen, merl_material, published
+from commits import commit_of_sources
+from leaderboard import CORNELL, RICHER, richer
+from leaderboard_study import differences
+from published_fits import published
 
 import motes
+from motes.directions import half_difference
 from motes.files import write_text
-from motes.fitting.model_table import sphere_difference
 from motes.measurements import list_samples
 
 RICH = "oren_nayar + torrance_sparrow"
-CORNELL = {"garnet_red.brdf": "garnet red", "krylon_blue.brdf": "Krylon blue", "cayman.brdf": "Cayman"}
 FRESNEL = {
     "F = 1": RICH,
     "dielectric, n = 1.5": "oren_nayar + torrance_sparrow(fresnel=dielectric(n=1.5))",
@@ -52,22 +54,6 @@ SHORT = {
     "dust_layer(coated_diffuse + gtr(fresnel=schlick))": "dust",
     "dust_layer(coated_diffuse + gtr(fresnel=schlick), scattering=multiple)": "dust",
 }
-# Real materials ask for more than the source's models: a Fresnel term, energy that is kept, longer tails.
-RICHER = {
-    "ON+TS": RICH,
-    "ON+TS, Schlick": "oren_nayar + torrance_sparrow(fresnel=schlick)",
-    "EON+GGX, Schlick": "eon + ggx(fresnel=schlick)",
-    "EON+GTR, Schlick": "eon + gtr(fresnel=schlick)",
-    "layer over EON+GTR": "dust_layer(eon + gtr(fresnel=schlick))",
-}
-# An earlier study, by other code, of larger sets: 61, 5, 12 and 14 materials.
-EARLIER = {
-    "ON+TS": (11.9, 52.6, 38.3, 52.8),
-    "ON+TS, Schlick": (10.9, 11.9, 28.1, 43.8),
-    "EON+GGX, Schlick": (8.8, 9.7, 20.4, 41.5),
-    "EON+GTR, Schlick": (8.1, 9.5, 18.4, 40.9),
-    "layer over EON+GTR": (5.8, 9.5, 13.0, 36.3),
-}
 MERL = ("pink-felt", "blue-acrylic", "alum-bronze", "special-walnut-224")
 
 
@@ -87,6 +73,11 @@ def number(fit: motes.Fit, name: str) -> str:
         if np.isfinite(p.stderr)
         else f"{p.value:.3g} ({p.verdict.name.lower().replace('_', ' ')})"
     )
+
+
+def chosen(fit: motes.Fit, label: str) -> str:
+    """What `auto` chose, in brackets."""
+    return f" ({SHORT.get(fit.model_text, fit.model_text)})" if label == "auto" else ""
 
 
 def curet(folder: Path) -> list[str]:
@@ -138,6 +129,7 @@ def cornell(folder: Path) -> list[str]:
         if not (folder / file).exists():
             continue
         data = motes.read(folder / file)
+        near = int(np.sum(half_difference(data.wi, data.wo)[0] < 0.02))
         for title, model in FRESNEL.items():
             fit = motes.fit(data, model)
             optics = number(fit, "n") or number(fit, "f0")
@@ -149,7 +141,8 @@ def cornell(folder: Path) -> list[str]:
         "## Cornell gloss paints",
         "",
         "1439 directions, 31 wavelengths, fitted together: K_d for each wavelength, one highlight for all. Loss `linear`. F = 1, as the source has it, cannot follow the",
-        "rise of the highlight towards grazing; a Fresnel term mends it, and finds the refractive index of a varnish.",
+        "rise of the highlight towards grazing; a Fresnel term mends it, and finds the refractive index of a varnish for the red and the blue. Cayman's highlight",
+        f"is hardly seen: {near} of its directions have a half vector within 0.02 rad of the normal, so that its strength and index are not to be believed.",
         "",
         "| paint | Fresnel term | relative RMS [%] | K_d | sigma_d [rad] | K_s | sigma_s [rad] | n or f0 | seconds |",
         "|---|---|---|---|---|---|---|---|---|",
@@ -170,9 +163,9 @@ def merl(data: Path) -> list[str]:
             reading = time.perf_counter() - start
             for label, model, limit in (("ON+TS", RICH, None), ("ON+TS", RICH, 80), ("auto", "auto", 80)):
                 fit = motes.fit(measurement, model, max_theta=None if limit is None else np.radians(limit))
-                values = [number(fit, k) for k in ("K_d", "sigma_d", "K_s", "sigma_s", "tau")]
+                values = [number(fit, k) for k in ("K_d", "sigma_d", "K_s", "sigma_s")]
                 table.append(
-                    f"| {name} | {label} | {limit or 90}° | {percent(fit.metrics['relative_rms'])} | {fit.metrics['rms_linear']:.2g} | {' | '.join(values)} |"
+                    f"| {name} | {label}{chosen(fit, label)} | {limit or 90}° | {percent(fit.metrics['relative_rms'])} | {fit.metrics['rms_linear']:.2g} | {' | '.join(values)} |"
                     f" {reading:.1f} + {fit.seconds:.1f} |"
                 )
     return [
@@ -180,10 +173,10 @@ def merl(data: Path) -> list[str]:
         "",
         "90 x 90 x 180 bins, RGB, weighted by solid angle, loss `linear`. The values are *neural reconstructions* of MERL materials (Sztrajman et al. 2021), within 4 to 26 % of",
         "the measurement, not the measurement. The unweighted relative RMS counts every bin alike, the grazing ones too, where F = 1 grows without bound; the fit itself",
-        "weighs by solid angle and cosine. Seconds: reading + fitting.",
+        "weighs by solid angle and cosine. What `auto` chose stands in brackets; blank: it has no such parameter. Seconds: reading + fitting.",
         "",
-        "| material | model | up to | relative RMS [%] | RMS of (f - r) cos theta_i | K_d | sigma_d [rad] | K_s | sigma_s [rad] | tau | seconds |",
-        "|---|---|---|---|---|---|---|---|---|---|---|",
+        "| material | model | up to | relative RMS [%] | RMS of (f - r) cos theta_i | K_d | sigma_d [rad] | K_s | sigma_s [rad] | seconds |",
+        "|---|---|---|---|---|---|---|---|---|---|",
         *table,
     ]
 
@@ -194,16 +187,16 @@ def others(data: Path) -> list[str]:
         measurement = motes.read(path)
         for label, model in (("ON+TS", RICH), ("auto", "auto")):
             fit = motes.fit(measurement, model, loss="log")
-            chosen = "" if model == RICH else f" ({fit.model_text})"
             masked = measurement.mask.size - int(measurement.mask.sum())
             share = percent(masked / measurement.mask.size)
             table.append(
-                f"| {path.stem} | {label}{chosen} | {percent(fit.metrics['relative_rms'])} | {fit.metrics['rms_log']:.2g} | {share} |"
+                f"| {path.stem} | {label}{chosen(fit, label)} | {percent(fit.metrics['relative_rms'])} | {fit.metrics['rms_log']:.2g} | {share} |"
             )
     return [
         "## RGL and MBSDF",
         "",
-        "Automotive paints, metallic and pearlescent foils, silk: mostly outside what these models describe. Loss `log`.",
+        "Automotive paints, metallic and pearlescent foils, silk: mostly outside what these models describe. Loss `log`, so that the second column of numbers is what was",
+        "made small; the first counts samples along the surface, where the values are largest, most, and can be anything.",
         "",
         "| material | model | relative RMS [%] | RMS of the log residual | masked [%] |",
         "|---|---|---|---|---|",
@@ -211,103 +204,18 @@ def others(data: Path) -> list[str]:
     ]
 
 
-def weighted(fit: motes.Fit) -> float:
-    """The relative RMS that the loss `linear` minimises: of (f - r) cos(theta_i), weighted as the fit weighs."""
-    data = fit.measurement
-    mask, measured = data.mask[0], data.values[0]
-    weights = np.reshape(data.weights, (len(measured), -1)) * data.wi[:, 2:] ** 2 * mask
-    off = np.where(mask, fit.predicted - measured, 0.0)
-    return float(np.sqrt(np.sum(weights * off**2) / np.sum(weights * np.where(mask, measured, 0.0) ** 2)))
-
-
-def databases(data: Path, folder: Path) -> dict[str, list[tuple[str, Callable[[], motes.Measurement]]]]:
-    """The materials at hand that are neither films nor maps, by database: names, and how they are read."""
-    return {
-        "CUReT": [
-            (f"sample {s}", partial(motes.read, data / "curet", sample=int(s))) for s in list_samples(data / "curet")
-        ],
-        "Cornell": [(name, partial(motes.read, data / "cornell" / file)) for file, name in CORNELL.items()],
-        "MERL format": [(name, partial(merl_material, data, folder, name)) for name in dozen(data)],
-        "RGL": [(path.stem, partial(motes.read, path)) for path in sorted((data / "rgl").glob("*.bsdf"))],
-    }
-
-
-def richer(data: Path) -> list[str]:
-    """The models beside each other: a leaderboard by loss and by colour, and a row a material."""
-    page, every, middle = [], [], {}
-    with tempfile.TemporaryDirectory() as folder:
-        for database, materials in databases(data, Path(folder)).items():
-            limit = np.radians(80) if database == "MERL format" else None
-            rows = {}
-            for name, read in materials:
-                measurement = read()
-                fits = [motes.fit(measurement, model, max_theta=limit) for model in RICHER.values()]
-                rows[name] = [(100 * weighted(fit), sphere_difference(fit)) for fit in fits]
-                print(database, name, rows[name], file=sys.stdout, flush=True)
-            middle[database] = np.median(list(rows.values()), axis=0)
-            every += list(rows.values())
-            for title, row in ((f"**{database}, median of {len(rows)}**", middle[database]), *rows.items()):
-                page.append(f"| {title} | {' | '.join(f'{loss:.1f}, {colour:.1f}' for loss, colour in row)} |")
-    return [
-        "## Models beside each other",
-        "",
-        "**Loss**: relative RMS in percent of (f - r) cos theta_i, weighted as the loss `linear` weighs it (MERL format by solid angle and up to 80 degrees, 30,000 of the bins;",
-        "the others every sample alike), K_s the same in all channels. **Colour**: the mean Delta E ITP (ITU-R BT.2124, white at 203 cd/m²) of a sphere under a lamp 45 degrees to the side, against the",
-        "measurement. Both are of the data that were fitted. TS is Torrance-Sparrow, ON Oren-Nayar; Schlick is a Fresnel term with f0 fitted; the layer is single scattering over",
-        "EON+GTR, taken for what it does to a fit, and not as a verdict that anything is dusty. In brackets: an earlier study, by other code, of larger sets (61, 5, 12 and 14 materials).",
-        "",
-        *leaderboard("loss [%]", np.array(every)[..., 0], {k: v[:, 0] for k, v in middle.items()}, EARLIER),
-        "",
-        *leaderboard("Delta E ITP", np.array(every)[..., 1], {k: v[:, 1] for k, v in middle.items()}, {}),
-        "",
-        "A row a material: loss, colour.",
-        "",
-        f"| material | {' | '.join(RICHER)} |",
-        f"|---|{'---|' * len(RICHER)}",
-        *page,
-    ]
-
-
-def leaderboard(
-    what: str, every: np.ndarray, middle: dict[str, np.ndarray], earlier: dict[str, tuple[float, ...]]
-) -> list[str]:
-    """The models, best first by the median over all materials, of numbers (materials, models): medians, and how often each is best."""
-    best = np.bincount(np.argmin(every, axis=1), minlength=len(RICHER))
-    overall = np.median(every, axis=0)
-    lines = [
-        f"| {what}, medians | all {len(every)} | {' | '.join(middle)} | best of all in |",
-        "|---" * (3 + len(middle)) + "|",
-    ]
-    for k in np.argsort(overall):
-        name = list(RICHER)[k]
-        known = earlier.get(name, ("",) * len(middle))
-        cells = [
-            f"{column[k]:.1f}" + (f" ({old})" if old else "")
-            for column, old in zip(middle.values(), known, strict=True)
-        ]
-        lines.append(f"| {name} | **{overall[k]:.1f}** | {' | '.join(cells)} | {best[k]} |")
-    return lines
-
-
 # What published fits are compared with.
 OURS = {name: RICHER[name] for name in ("ON+TS, Schlick", "EON+GTR, Schlick")}
 # The parts of the page: what it needs, its heading, and what makes it.
-PARTS: dict[str, tuple[str, str, Callable[[Path], list[str]]]] = {
-    "curet": ("curet", "CUReT", lambda data: curet(data / "curet")),
-    "cornell": ("cornell", "Cornell gloss paints", lambda data: cornell(data / "cornell")),
-    "merl": ("merl-nbrdf", "MERL format", merl),
-    "others": ("rgl", "RGL and MBSDF", others),
+PARTS: dict[str, tuple[str, str, Callable[[Path, int], list[str]]]] = {
+    "curet": ("curet", "CUReT", lambda data, jobs: curet(data / "curet")),
+    "cornell": ("cornell", "Cornell gloss paints", lambda data, jobs: cornell(data / "cornell")),
+    "merl": ("merl-nbrdf", "MERL format", lambda data, jobs: merl(data)),
+    "others": ("rgl", "RGL and MBSDF", lambda data, jobs: others(data)),
     "models": (".", "Models beside each other", richer),
-    "published": ("merl-fits", "Published fits", lambda data: published(data, OURS)),
+    "differences": (".", "Beside the earlier study", differences),
+    "published": ("merl-fits", "Published fits", lambda data, jobs: published(data, OURS, jobs)),
 }
-
-
-def made_by() -> str:
-    """The commit of the sources, with a word where they were changed."""
-    root = Path(__file__).resolve().parents[1]
-    run = partial(subprocess.run, cwd=root, check=True, capture_output=True, text=True)
-    commit = run(["git", "rev-parse", "--short", "HEAD"]).stdout.strip()
-    return commit + (", changed" if run(["git", "status", "--porcelain", "src"]).stdout.strip() else "")
 
 
 def section(page: str, heading: str) -> list[str]:
@@ -323,9 +231,10 @@ def main() -> None:
         "-o", "--output", type=Path, default=Path(__file__).resolve().parents[1] / "docs" / "results.md"
     )
     parser.add_argument("--only", nargs="+", choices=PARTS, default=list(PARTS), metavar="PART", help=", ".join(PARTS))
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="processes for the parts of many fits")
     given = parser.parse_args()
     before = given.output.read_text() if given.output.exists() else ""
-    commit = made_by()
+    commit = commit_of_sources()
     page = [
         "# Results on real measurements",
         "",
@@ -341,7 +250,7 @@ def main() -> None:
         elif (given.data / needed).exists():
             print(f"{name} ...", flush=True)
             with contextlib.redirect_stderr(io.StringIO()):
-                made = part(given.data)
+                made = part(given.data, given.jobs)
             page += [*made, "", f"*By commit {commit}.*", ""]
         else:
             page += [f"*{heading}: no data at hand when this page was made.*", ""]
