@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from enum import IntEnum
 from typing import Any, NamedTuple
 
@@ -10,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes.fitting.texel_kernel import Singles
+from motes.kernels.memory import empty
 
 
 class TexelStatus(IntEnum):
@@ -46,13 +46,21 @@ class TexelFit(NamedTuple):
     verdicts: NDArray[np.uint8]
     covariance: Singles | None = None
 
+    @classmethod
+    def unfilled(cls, count: int, size: int, covariance: bool) -> TexelFit:
+        """Arrays for so many texels, whose values are not set."""
+        numbers, codes = [(count, size), (count, size), (count,)], [(count,), (count,), (count, size)]
+        x, stderr, rms = (empty(shape, np.float32) for shape in numbers)
+        status, iterations, verdicts = (empty(shape, np.uint8) for shape in codes)
+        triangle = empty((count, size * (size + 1) // 2), np.float32) if covariance else None
+        return cls(x, stderr, rms, status, iterations, verdicts, triangle)
 
-def joined(parts: Sequence[TexelFit]) -> TexelFit:
-    """The fits of several calls as those of one."""
-    if len(parts) == 1:
-        return parts[0]
-    columns: list[Any] = [None if column[0] is None else np.concatenate(column) for column in zip(*parts, strict=True)]
-    return TexelFit(*columns)
+    def fill(self, rows: slice, part: TexelFit) -> None:
+        """Take over the results of some texels."""
+        for column, found in zip(self, part, strict=True):
+            own: Any = column
+            if own is not None:
+                own[rows] = found
 
 
 def own_covariance(packed: Singles, stderr: Singles) -> Singles:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
@@ -195,11 +196,16 @@ class Kernel:
         self.every = 1 if equations.tables is None else _every(fit)
         self.items = printed.layout.room(self.times, self.given, self.samples)
         self._device = fit.device
+        self._driver: Callable[..., None] | None = None
+        self._lock = threading.Lock()
 
-    @cached_property
+    @property
     def driver(self) -> Callable[..., None]:
         """The compiled function; compiled when it is first asked for, since many fits have no texel for one of their forms."""
-        compiled: Callable[..., None] = engine.module(self.source, self._title).fit
+        with self._lock:  # threads that ask at once wait for the first
+            if self._driver is None:
+                self._driver = engine.module(self.source, self._title).fit
+        compiled: Callable[..., None] = self._driver
         return compiled
 
     @cached_property
@@ -312,7 +318,8 @@ class Kernel:
             return
         noise_step, held_step = int(noise is not None), self.size if holds.ndim == 2 else 0
         at, size, given = engine.address, self.size, self.times * self.given * self.channels
-        together = LANES * max(2, TASK // (LANES * self.times))
+        # A thread that is one of several takes all that it has been given.
+        together = LANES * max(2, TASK // (LANES * self.times)) if not workers.at_work() else max(1, len(data))
         triangle, driver = raw.covariances.shape[1], self.driver
 
         def work(task: int, room: NDArray[Any]) -> None:

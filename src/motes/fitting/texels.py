@@ -7,6 +7,8 @@ thousand times slower.
 
 from __future__ import annotations
 
+import threading
+from collections.abc import Iterator
 from functools import cached_property
 from typing import Any
 
@@ -20,8 +22,9 @@ from motes.fitting.losses import ROBUST, Floats, Robust
 from motes.fitting.metrics import deviation
 from motes.fitting.printed.driver import NO_VERDICT
 from motes.fitting.printed.module import MOST_COEFFICIENTS
+from motes.fitting.printed.rows import LANES
 from motes.fitting.second_look import REFIT_ITERATIONS, REFIT_REDUCTION, Rows, Solved, look_again
-from motes.fitting.texel_fit import TexelFit, TexelStatus, joined, own_covariance
+from motes.fitting.texel_fit import TexelFit, TexelStatus, own_covariance
 from motes.fitting.texel_forms import Forms
 from motes.fitting.texel_kernel import Kernel, Raw, Recorded, Singles
 from motes.fitting.texel_setup import Column, TexelSetup
@@ -34,6 +37,8 @@ from motes.kernels import engine
 FIRST_REDUCTION = 1e-12
 # Texels that go through all of a fit together: their states and errors stay in the cache.  Fewer where threads would have none.
 MOST_TOGETHER, LEAST_TOGETHER = 16384, 2048
+
+NOT_FINITE = "starts hold a value that is not finite", "Give parameter vectors within the bounds"
 
 # Outliers pull a fit into another valley.  A texel whose residuals are more than this share of its data, and whose fourth moment is so many times the
 # square of the second (3 for noise of one size, up to 12 for noise that goes with the value), is tried from all starts.
@@ -72,6 +77,10 @@ class TexelSolver(TexelSetup):
     def _kernels(self) -> dict[tuple[str, str], Kernel | Forms]:
         return {}
 
+    @cached_property
+    def _making(self) -> threading.RLock:
+        return threading.RLock()
+
     _compared: tuple[Floats, Nearest] | None = None
 
     @cached_property
@@ -104,12 +113,13 @@ class TexelSolver(TexelSetup):
         if points.ndim != 2 or points.shape[1] != self.size or (own_starts and len(points) != len(data)):
             expected = f"({len(data) if own_starts else 'K'}, {self.size})"
             raise DataError(f"starts of shape {np.shape(starts)} do not fit", f"Give an array of shape {expected}")
-        if not np.isfinite(points).all():
-            raise DataError("starts hold a value that is not finite", "Give parameter vectors within the bounds")
+        # Many starts are looked at where they are used.
+        if not own_starts and not np.isfinite(points).all():
+            raise DataError(*NOT_FINITE)
         if self.unit == 1 and not own_starts and (unit := self.unit_of_starts(points)) != 1:
             return self.in_units(unit).fit(data, points, covariance=covariance)
-        points = self.coordinates(points)
-        np.clip(points, self.facts.low[:, 0], self.facts.high[:, 0], out=points)
+        if not own_starts:
+            points = self._within(points)
         if not self.compiled:
             if self.robust.name != "none" or covariance:
                 what = f"robust={self.robust.name}" if self.robust.name != "none" else "covariance"
@@ -118,20 +128,29 @@ class TexelSolver(TexelSetup):
                     f"{what} needs a compiled kernel: {why if engine.available() else 'LLVM cannot be used here'}",
                     "Hold parameters, choose simpler trends, or leave it out",
                 )
-            return self.finished(fit_slowly(self, data, points, own_starts))
+            return self.finished(fit_slowly(self, data, self._within(points) if own_starts else points, own_starts))
         if not own_starts and len(points) > 1 and self._one_product:
             self._nearest(points)
-        step = min(MOST_TOGETHER, max(LEAST_TOGETHER, -(-len(data) // (2 * workers.threads()))))
-        pieces = [slice(k, min(len(data), k + step)) for k in range(0, max(1, len(data)), step)]
-        found: list[TexelFit | None] = [None] * len(pieces)
+        pieces = list(_pieces(len(data), self.times or 1))
+        whole = TexelFit.unfilled(len(data), self.size, covariance)
 
         def work(k: int, _: None) -> None:
             rows = pieces[k]
-            found[k] = self._fitted(data[rows], points[rows] if own_starts else points, own_starts, covariance)
+            start = self._within(points[rows]) if own_starts else points
+            whole.fill(rows, self._fitted(data[rows], start, own_starts, covariance))
 
-        work(0, None)  # alone: it compiles
-        workers.spread(len(pieces) - 1, lambda k, _: work(k + 1, _), lambda: None)
-        return joined([part for part in found if part is not None])
+        if len(pieces) == 1:  # whose kernels share it among threads
+            work(0, None)
+        else:
+            workers.spread(len(pieces), work, lambda: None)
+        return whole
+
+    def _within(self, points: Floats) -> Floats:
+        """Starts in the coordinates of the fit, within its bounds."""
+        if not np.isfinite(points).all():
+            raise DataError(*NOT_FINITE)
+        points = self.coordinates(points)
+        return np.clip(points, self.facts.low[:, 0], self.facts.high[:, 0], out=points)
 
     def _fitted(self, data: Singles, points: Floats, own_starts: bool, covariance: bool) -> TexelFit:
         """The fits of some texels from points in the coordinates of the fit."""
@@ -330,9 +349,10 @@ class TexelSolver(TexelSetup):
 
     def kernel(self, form: str, robust: Robust = ROBUST["none"]) -> Kernel | Forms:
         """The compiled fit in a form of the normal equations: ``"direct"``, ``"moments"`` (or direct where that is cheaper), or the ``"cheapest"``."""
-        if (form, robust.name) not in self._kernels:
-            self._kernels[form, robust.name] = self._made(form, robust)
-        return self._kernels[form, robust.name]
+        with self._making:
+            if (form, robust.name) not in self._kernels:
+                self._kernels[form, robust.name] = self._made(form, robust)
+            return self._kernels[form, robust.name]
 
     def _made(self, form: str, robust: Robust) -> Kernel | Forms:
         quick = self._recorded.equations_of_whole(self, robust) if form == "cheapest" else None
@@ -357,6 +377,16 @@ class TexelSolver(TexelSetup):
         data = self._checked(values)
         solver = self.in_units(unit_of(data, np.isfinite(data)))
         return representative_starts(solver, data, lambda rows, starts: solver.fit(data[rows], starts).x)
+
+
+def _pieces(count: int, times: int) -> Iterator[slice]:
+    """All texels in pieces, ever smaller ones towards the end: threads then end together."""
+    first, least = 0, max(LANES, LEAST_TOGETHER // times)
+    while first < max(1, count):
+        step = min(MOST_TOGETHER, max(least, (count - first) // (2 * workers.threads())))
+        last = min(count, first + -(-step // LANES) * LANES)
+        yield slice(first, last)
+        first = max(last, 1)
 
 
 def _with_outliers(raw: Raw) -> NDArray[np.bool_]:

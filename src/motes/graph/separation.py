@@ -101,6 +101,17 @@ def unclamped(outputs: Sequence[Symbol], bits: Mapping[Symbol, int]) -> list[Sym
     return rewritten(outputs, rule)
 
 
+def in_place_of_clamps(output: Symbol, instead: Mapping[Symbol, Symbol]) -> Symbol:
+    """The output with something else in place of each of its clamps, by what these clamp."""
+
+    def rule(symbol: Symbol, args: tuple[Symbol, ...]) -> Symbol | None:
+        if symbol.op != "maximum":
+            return None
+        return next((instead[a] for a in symbol.args if a in instead), None)
+
+    return rewritten([output], rule)[0]
+
+
 def terms(output: Symbol, bits: Mapping[Symbol, int]) -> Terms:
     """`output` as a sum of products.
 

@@ -34,12 +34,15 @@ class Separated:
         Of each function, its derivatives: functions as well.
     fixed
         The functions that hold no parameter.
+    channels
+        Of each channel, the functions by the factors of their coefficients.
     """
 
     residuals: tuple[Combination, ...]
     rows: tuple[dict[Symbol, Combination], ...]
     slopes: dict[Symbol, dict[Symbol, Symbol]]
     fixed: frozenset[Symbol]
+    channels: tuple[separation.Terms, ...]
 
     @classmethod
     def of(cls, model: Traced) -> Separated | None:
@@ -74,18 +77,89 @@ class Separated:
             residuals.append(residual)
             all_rows.append(rows)
         fixed = frozenset(f for f in functions if not _varies(f, model))
-        return cls(tuple(residuals), tuple(all_rows), slopes, fixed)
+        return cls(tuple(residuals), tuple(all_rows), slopes, fixed, tuple(channels))
 
     def closing(self, model: Traced) -> tuple[Symbol, ...]:
-        """What is summed at the solution (`Traced.closing`), of the functions; texels that a clamp touches are fitted otherwise."""
-        residuals = [
-            total([coefficient * function for function, coefficient in row.items()]) - value
-            for row, value in zip(self.residuals, model.data.values, strict=True)
-        ]
+        """What is summed at the solution (`Traced.closing`), of the functions; texels that a clamp touches are fitted otherwise.
+
+        Here are most of the operations of a fit, so a channel's own parameter is taken out of the terms that it is a factor of: what remains is
+        largely the same for all channels, and for the values and their derivatives.
+        """
+        own = set(model.parameters) - _shared(model)
+        found = [self._nested(terms, own, model) for terms in self.channels]
+        values = separation.gathered([value for value, _ in found], model.leaves)
+        residuals = [value - y for value, y in zip(values, model.data.values, strict=True)]
         jacobian = [
-            {p: total([q * f for f, q in rows[p].items()]) for p in model.parameters if p in rows} for rows in self.rows
+            dict(zip(row, separation.gathered(list(row.values()), model.leaves), strict=True)) for _, row in found
         ]
-        return model.unclamped().closing(model.clamped(), residuals, jacobian)
+        return model.unclamped().closing(self._clamped(model, own), residuals, jacobian)
+
+    def _clamped(self, model: Traced, own: set[Symbol]) -> Symbol:
+        """`Traced.clamped`, where what is clamped is, but for a factor that is never negative, made of some of a channel's terms: of sums that are there."""
+        graph, mark, found = model.graph, model.graph.leaf("mark"), list[Symbol]()
+        leaves = model.leaves | {mark: PARAMETERS}
+        inner = separation.clamps(model.outputs, tracing.dependence(model.outputs, model.leaves))
+        held = {symbol: graph.leaf(f"clamped[{k}]") for k, symbol in enumerate(inner)}
+        for output, terms in zip(model.outputs, self.channels, strict=True):
+            slopes = tracing.forward([separation.in_place_of_clamps(output, held)], tuple(held.values()))[0]
+            if len(slopes) != 1:
+                return model.clamped()
+            (slope,) = slopes.values()
+            if not _never_negative(slope, (graph.leaf("root"), graph.leaf("cosine"))):
+                return model.clamped()
+            marked = separation.in_place_of_clamps(output, {symbol: mark * symbol for symbol in inner})
+            all_terms = _functions(separation.terms(marked, tracing.dependence([marked], leaves)), model)
+            here = {tuple(f for f in key if f is not mark): f for key, f in all_terms.items() if mark in key}
+            if any(terms.get(key) is not function for key, function in here.items()):
+                return model.clamped()
+            found.append(self._nested(here, own, model)[0])
+        if not found:
+            return model.clamped()
+        least = separation.gathered(found, model.leaves)
+        smallest = least[0]
+        for value in least[1:]:
+            smallest = graph.minimum(smallest, value)
+        return graph.where(smallest < 0, model.data.weights[0], 0.0)
+
+    def _nested(self, terms: separation.Terms, own: set[Symbol], model: Traced) -> tuple[Symbol, dict[Symbol, Symbol]]:
+        """A channel's value and its derivatives, as (terms without p) + p (terms with p, and those with higher powers)."""
+        graph, zero = model.graph, model.graph.constant(0.0)
+        counts = {p: sum(p in key for key in terms) for p in model.parameters if p in own}
+        p = max(counts, key=counts.__getitem__, default=None)
+        parts: tuple[list[Combination], ...] = ([], [], [])  # without p, with p, with more of it
+        for key, function in terms.items():
+            power, coefficient = 0, graph.constant(1.0)
+            for factor in key:
+                if factor is p and not power:
+                    power = 1
+                    continue
+                power += factor is p
+                coefficient = coefficient * factor
+            parts[min(power, 2)].append({function: coefficient})
+        rows: list[dict[Symbol, Symbol]] = []
+        sums = []
+        for part in parts:
+            sums.append(total([zero, *(q * f for row in part for f, q in row.items())]))
+            slopes: dict[Symbol, list[Symbol]] = {}
+            for row in part:
+                for f, q in row.items():
+                    for r, slope in tracing.forward([q], model.parameters)[0].items():
+                        slopes.setdefault(r, []).append(slope * f)
+                    for r, slope in self.slopes[f].items():
+                        slopes.setdefault(r, []).append(q * slope)
+            rows.append({r: total(items) for r, items in slopes.items()})
+        if p is None:
+            return sums[0], rows[0]
+        inner = sums[1] + sums[2]
+        slopes_of_inner = {r: rows[1].get(r, zero) + rows[2].get(r, zero) for r in (*rows[1], *rows[2])}
+        derivatives = {
+            r: rows[0].get(r, zero) + (p * slopes_of_inner[r] if r in slopes_of_inner and r is not p else zero)
+            for r in model.parameters
+            if r in rows[0] or r in slopes_of_inner
+        }
+        # p A + p (p B) has the derivative (A + p B) + p B, whose parts are there.
+        derivatives[p] = rows[0].get(p, zero) + (inner + p * slopes_of_inner[p] if p in slopes_of_inner else inner)
+        return sums[0] + p * inner, {r: derivatives[r] for r in model.parameters if r in derivatives}
 
 
 class Products(Protocol):
@@ -189,6 +263,15 @@ def _sizes(objective: Symbol, sums: list[Symbol]) -> Symbol:
     slopes = tracing.adjoint({objective: graph.constant(1.0)}, sums)
     parts = [slope * leaf for leaf, slope in slopes.items()]
     return total([graph.constant(0.0), *(graph.maximum(part, -part) for part in parts)])
+
+
+def _never_negative(symbol: Symbol, leaves: tuple[Symbol, ...]) -> bool:
+    """Whether its operations alone say so; of `leaves` it is known."""
+    if symbol.op == "constant":
+        return bool(symbol.value >= 0)
+    if symbol.op in ("exp", "sqrt") or symbol in leaves:
+        return True
+    return symbol.op in ("add", "mul", "div") and all(_never_negative(a, leaves) for a in symbol.args)
 
 
 def _add(row: Combination, function: Symbol, coefficient: Symbol) -> None:
