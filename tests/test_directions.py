@@ -229,3 +229,15 @@ def test_a_vector_has_a_direction_whatever_its_length(scale: float) -> None:
 @pytest.mark.parametrize("vector", [(0, 0, 0), (np.nan, 0, 1), (0, -np.inf, 1)])
 def test_some_vectors_have_no_direction(vector: tuple[float, ...]) -> None:
     assert directions.unit(vector) is None
+
+
+@pytest.mark.parametrize("angle", [0.05, 0.4, 1.5])
+def test_half_vectors_near_the_normal_are_those_of_half_difference(angle: float) -> None:
+    rng = np.random.default_rng(5)
+    count = directions.AT_ONCE + 100  # more than are looked at together
+    wi, wo = (directions.from_spherical(rng.uniform(0, 1.57, count), rng.uniform(-3, 3, count)) for _ in range(2))
+    wo[:500] = wi[:500] * (-1, -1, 1)  # near the mirror
+    found = directions.half_vectors_within(angle, wi, wo)
+    assert np.array_equal(found, directions.half_difference(wi, wo)[0] < angle)
+    assert found.any()
+    assert not found.all()

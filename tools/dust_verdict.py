@@ -178,7 +178,7 @@ def page(rows: list[Row], image: str) -> str:
             "desert dust (w = 0.66, g = 0.9) are found all by this rule and by the one before (w of 0.25 or more, whatever g), 14 with a threshold of 0.16, 9 with 0.18. The rule before called 5 of 60 fresh clean ones of seeds from 1000 dusty and, of those",
             "from 2000, 2 of 60; seeds from 1000 are not fresh for the new rule, since they led to it.",
             "",
-            "**Tried and left out**, by figures on the sets that things were chosen on:",
+            "**Tried and left out**, by figures on the sets that things were chosen on. These, and those of coarse desert dust above, were measured once, by code that was not kept:",
             "",
             "- layers with all orders of scattering tried where the one that scatters once looks hopeless: of the two missed there, that alone had kept one from being tried; it ends at the dust's w and g, and predicts as well as the powder (share 0.97);",
             "- a powder beside a body counts only where there is a body (a coat of n above 1.2, rho above 0.02): one dusty surface more is found, one clean one more is called dusty;",

@@ -116,7 +116,7 @@ def _read(folder: Path, name: str) -> tuple[bytes, dict[str, tuple[int, bool]]] 
         if said["sha256"] != hashlib.sha256(code).hexdigest():
             return None
         return code, {str(kernel): (int(count), bool(returns)) for kernel, (count, returns) in said["kernels"].items()}
-    except (ValueError, KeyError, TypeError):
+    except (ValueError, KeyError, TypeError, AttributeError):  # no object of JSON, or one of something else
         return None
 
 
