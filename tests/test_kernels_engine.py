@@ -464,6 +464,25 @@ def test_gradients_by_parameters_that_vary() -> None:
         np.testing.assert_allclose(gradients[slot.name], expected.reshape(np.shape(slot.value)), rtol=1e-10, atol=1e-13)
 
 
+@pytest.mark.parametrize("count", [1, 31, 33, 1024 + 5, engine.CHUNK + 35])
+def test_gradients_of_directions_that_do_not_make_whole_vectors(count: int) -> None:
+    """The last directions count once, whatever fills the vector that they are in, and write no slope but their own."""
+    rng = np.random.default_rng(60)
+    wi, wo, upstream = upper_directions(count, 61), upper_directions(count, 62), rng.normal(size=(count, 3))
+    model = DUSTY.with_parameters({"tau": rng.uniform(0.1, 0.9, count), "g": rng.uniform(-0.5, 0.5, count)})
+    found = engine.vjp(model, wi, wo, upstream)
+    some = np.unique(np.r_[0, max(0, count - 40) : count])  # slopes of their own, by a call of other length and begin
+    part = model.with_parameters({name: model.parameters[name][some] for name in ("tau", "g")})
+    alone = engine.vjp(part, wi[some], wo[some], upstream[some])
+    for name in ("tau", "g"):
+        np.testing.assert_allclose(found[name][some], alone[name], rtol=1e-12, atol=1e-14)
+    backwards = model.with_parameters({name: model.parameters[name][::-1] for name in ("tau", "g")})
+    turned = engine.vjp(backwards, wi[::-1], wo[::-1], upstream[::-1])
+    for slot in model.slots():
+        value = turned[slot.name][::-1] if slot.name in ("tau", "g") else turned[slot.name]
+        np.testing.assert_allclose(found[slot.name], value, rtol=1e-9, atol=1e-11, err_msg=slot.name)
+
+
 def test_gradients_are_summed_over_the_axes_along_which_a_parameter_is_broadcast() -> None:
     rng = np.random.default_rng(50)
     wi, wo = upper_directions(20, 51).reshape(4, 5, 3), upper_directions(5, 52)

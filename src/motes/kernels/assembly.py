@@ -13,8 +13,6 @@ from typing import NamedTuple
 
 #: A value is NaN where it should be, and sums keep their order: without nnan, ninf and reassoc.
 FLAGS = "nsz arcp contract"
-#: Of sums whose terms may be regrouped into lanes.
-ANY_ORDER = "reassoc nsz contract"
 WORD, INT, BYTE, TRUTH, FLOAT, DOUBLE = "i64", "i32", "i8", "i1", "float", "double"
 SIZES = {TRUTH: 1, BYTE: 1, INT: 4, WORD: 8, FLOAT: 4, DOUBLE: 8}
 LINE = 64  # bytes of a cache line

@@ -83,18 +83,62 @@ def apart(wi_at, wi_step, wi_stride, wo_at, wo_step, wo_stride, constants, width
         )
 """
 
+# Sums are rows of lanes: of a tile, and in float64 of all that is called for, which are added up at the end.  Directions that do not make a whole
+# vector are copied, and the last of them is repeated, with seeds of 0.
 GRADIENT = """
+def repeated(rows, source, row, target, count):
+    for k in range(rows):
+        for n in range(WHOLE):
+            store(F, target, k * TILE + n, load(F, source, k * row + min(n, count - 1), "other", 1), "repeated", 0, 1)
+
+
+def put_back(rows, source, target, row, count):
+    for k in range(rows):
+        for n in range(count):
+            store(F, target, k * row + n, load(F, source, k * TILE + n, "other", 1), "back", 0, 1)
+
+
 @kernel
 def gradient(
     wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, varying, row, seed, seed_step, seed_stride, slopes, totals,
     room, first, last,
 ):
-    for start in range(first, last, TILE):
+    sums = room + ({channels} + 6) * ITEM * TILE
+    wide = sums + ITEM * {lanes} * {totals}
+    own = wide + 8 * {lanes} * {totals}
+    for k in range({lanes} * {totals}):
+        store(F, sums, k, F(0.0), "cleared", 0, 1)
+    for k in range({lanes} * {totals}):
+        store(float64, wide, k, 0.0, "cleared", 0, 1)
+    start = first
+    while start < last:
         count = min(TILE, last - start)
-        i, i_row = columns(3, wi + ITEM * start * wi_step, wi_step, wi_stride, room, count, False)
-        o, o_row = columns(3, wo + ITEM * start * wo_step, wo_step, wo_stride, room + 3 * ITEM * TILE, count, False)
-        f, f_row = columns({channels}, seed + ITEM * start * seed_step, seed_step, seed_stride, room + 6 * ITEM * TILE, count, False)
-        span(i, i_row, o, o_row, constants, varying + ITEM * start, row, f, f_row, slopes + ITEM * start, totals, count)
+        part = count < WHOLE
+        if not part:
+            count -= count % WHOLE
+        i, i_row = columns(3, wi + ITEM * start * wi_step, wi_step, wi_stride, room, count, part)
+        o, o_row = columns(3, wo + ITEM * start * wo_step, wo_step, wo_stride, room + 3 * ITEM * TILE, count, part)
+        f, f_row = columns({channels}, seed + ITEM * start * seed_step, seed_step, seed_stride, room + 6 * ITEM * TILE, count, part)
+        v, v_row, s, s_row = varying + ITEM * start, row, slopes + ITEM * start, row
+        if part:
+            repeated(6, room, TILE, room, count)
+            repeated({rows}, v, row, own, count)
+            v, v_row, s, s_row = own, TILE, own + {rows} * ITEM * TILE, TILE
+            for k in range({channels}):
+                for n in range(count, WHOLE):
+                    store(F, f, k * TILE + n, F(0.0), "other", 0, 1)
+        span(i, i_row, o, o_row, constants, v, v_row, f, f_row, s, s_row, sums, WHOLE if part else count)
+        if part:
+            put_back({rows}, s, slopes + ITEM * start, row, count)
+        for k in range({lanes} * {totals}):
+            store(float64, wide, k, load(float64, wide, k, "widened", 2) + load(F, sums, k, "widened", 2), "widened", 0, 2)
+            store(F, sums, k, F(0.0), "widened", 1, 2)
+        start += count
+    for k in range({totals}):
+        total = load(float64, totals, k, "other", 1)
+        for n in range({lanes}):
+            total += load(float64, wide, {lanes} * k + n, "other", 1)
+        store(float64, totals, k, total, "added", 0, 1)
 """
 
 # `u` are two random numbers; what is sampled is brought from rows into three arrays.

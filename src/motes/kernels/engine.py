@@ -23,7 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 from motes.errors import DataError
 from motes.graph import tracing
 from motes.graph.recording import Kind, recorded
-from motes.kernels import grouped, grouping, loops
+from motes.kernels import gradients, grouped, grouping, loops
 from motes.kernels import numpy as numpy_code
 from motes.kernels.jobs import CHUNK, Array, Job, address, place, target_of
 from motes.kernels.memory import empty
@@ -54,7 +54,7 @@ _PRINTERS = {
     "apart": (loops.apart, Kind.VALUE),
     "group numbers": (grouped.numbers, Kind.VALUE),
     "grouped": (grouped.evaluation, Kind.VALUE),
-    "gradient": (loops.gradient, Kind.VALUE),
+    "gradient": (gradients.gradient, Kind.VALUE),
     "density": (loops.evaluation, Kind.DENSITY),
     "sampling": (loops.sampling, Kind.SAMPLE),
 }
@@ -244,7 +244,7 @@ def vjp(model: Parametrised, wi: ArrayLike, wo: ArrayLike, upstream: ArrayLike) 
         for wi, wo, first, last in job.pieces(chunk):
             kernel.driver(*wi, *wo, *others, sums, room, first, last)
 
-    job.run(work)
+    job.run(work, gradients.room(kernel.printed))
     return job.gathered(
         kernel.pullback(job.uniform, totals.sum(axis=0)), dict(zip(kernel.varying, slopes, strict=True))
     )

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from motes import workers
 from motes.errors import DataError, ParameterError
 from motes.graph.tracing import TracedParameter
+from motes.kernels.assembly import LINE
 from motes.kernels.loops import TILE, WHOLE
 from motes.kernels.memory import empty
 from motes.parameters import Parametrised, Slot
@@ -210,13 +211,19 @@ class Job:
         """The first direction of a chunk and the one after its last."""
         return chunk * CHUNK, min(self.count, (chunk + 1) * CHUNK)
 
-    def run(self, work: Callable[[int, int], None]) -> None:
-        """Call ``work(chunk, room)`` for every chunk, on all cores; `room` is the address of scratch memory."""
-        self.spread(self.chunks, work)
+    def run(self, work: Callable[[int, int], None], more: int = 0) -> None:
+        """Call ``work(chunk, room)`` for every chunk, on all cores; `room` is the address of scratch memory, with `more` items than usual."""
+        self.spread(self.chunks, work, more)
 
-    def spread(self, tasks: int, work: Callable[[int, int], None]) -> None:
+    def spread(self, tasks: int, work: Callable[[int, int], None], more: int = 0) -> None:
         """The same for any number of tasks."""
-        workers.spread(tasks, lambda task, room: work(task, address(room)), lambda: np.empty(self._items, self.scalar))
+        items = self._items + more + LINE // self.scalar.itemsize
+        workers.spread(tasks, lambda task, room: work(task, _aligned(room)), lambda: np.empty(items, self.scalar))
+
+
+def _aligned(room: Array) -> int:
+    """Where in memory a cache line begins."""
+    return -(-address(room) // LINE) * LINE
 
 
 def _batch(slot: Slot) -> tuple[int, ...]:

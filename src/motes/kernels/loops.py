@@ -1,9 +1,9 @@
 """Printing a traced model as a module over directions: the kernels of `motes.kernels.engine`.
 
 A module holds ``span`` (the formula, over a run of directions that lie one after the other in memory) and a driver that cuts a range of
-directions into tiles and brings each into that form.  The values of models and densities are programs of vectors (`motes.kernels.vectors`), over
-`WHOLE` directions or a multiple of them; gradients, samples and float64 numbers of rows are statements for one direction, with the elementary functions
-that they need, which LLVM's vectoriser makes vectors of.  What depends on uniform
+directions into tiles and brings each into that form.  The values of models, densities and gradients (`motes.kernels.gradients`) are programs of vectors
+(`motes.kernels.vectors`), over `WHOLE` directions or a multiple of them; samples and float64 numbers of rows are statements for one direction, with
+the elementary functions that they need, which LLVM's vectoriser makes vectors of.  What depends on uniform
 parameters alone is not in it: the engine computes these *constants* in float64 and hands them over.
 """
 
@@ -79,14 +79,14 @@ def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     spoken = WORDLESS.isdisjoint(symbol.op for symbol in tracing.live(trace.outputs))
     span, constants, rows = _program(trace, varying, scalar) if spoken else _forward(trace, varying)
     driver = drivers.EVALUATE.format(channels=len(trace.outputs))
-    text = _module(trace, "Evaluates a reflectance model", scalar, span, driver)
+    text = module(trace, "Evaluates a reflectance model", scalar, span, driver)
     return Kernel(text, "evaluate", tuple(constants), tuple(rows))
 
 
 def table(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     """The kernel that computes the outputs of a trace, any number of them, at places where parameters vary: rows in, rows out, as `evaluation`."""
     span, constants, rows = _forward(trace, varying)
-    text = _module(trace, "Tabulates", scalar, span, drivers.TABLE)
+    text = module(trace, "Tabulates", scalar, span, drivers.TABLE)
     return Kernel(text, "evaluate", tuple(constants), tuple(rows), width=len(trace.outputs))
 
 
@@ -94,34 +94,42 @@ def sampling(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     """The kernel that chooses directions; its trace is that of a sample, and the rest as for `evaluation`."""
     span, constants, rows = _forward(trace, varying)
     driver = drivers.SAMPLE.format(channels=len(trace.outputs) - 4)
-    text = _module(trace, "Samples a reflectance model", scalar, span, driver)
+    text = module(trace, "Samples a reflectance model", scalar, span, driver)
     return Kernel(text, "sample", tuple(constants), tuple(rows))
 
 
 def _program(trace: Trace, varying: Collection[str], scalar: str) -> tuple[str, list[Symbol], list[TracedParameter]]:
     """What `_forward` gives, as a program of vectors."""
-    rows, leaves = _leaves(trace, varying)
-    outputs = without_division(trace.outputs, leaves)
-    constants = tracing.frontier(outputs, tracing.dependence(outputs, leaves), PARAMETERS)
+    rows, bits = inputs_of(trace, varying)
+    outputs = without_division(trace.outputs, bits)
+    constants = tracing.frontier(outputs, tracing.dependence(outputs, bits), PARAMETERS)
     kind = "F" if scalar == "float32" else "D"
-    places = {symbol: f"splat constants {kind} {k}" for k, symbol in enumerate(constants)}
-    for k, symbol in enumerate(trace.directions):
-        places[symbol] = f"row {'io'[k // 3]} {kind} {k % 3}*{'io'[k // 3]}_row+n"
-    places |= {p.symbol: f"row varying {kind} {k}*row+n" for k, p in enumerate(rows)}
-    lines, names = computed(outputs, places, special=_words(outputs, _inputs(leaves)))
+    lines, names = computed(outputs, places(trace, constants, rows, kind), special=words(outputs, inputs(bits)))
     lines += [f"put f {kind} {c}*f_row+n {names[output]}" for c, output in enumerate(outputs)]
-    arguments = "i, i_row, o, o_row, constants, varying, row, f, f_row, count"
+    return program("i, i_row, o, o_row, constants, varying, row, f, f_row, count", kind, lines), constants, rows
+
+
+def places(trace: Trace, constants: Sequence[Symbol], rows: Sequence[TracedParameter], kind: str) -> dict[Symbol, str]:
+    """Where programs of vectors find what a formula starts from."""
+    found = {symbol: f"splat constants {kind} {k}" for k, symbol in enumerate(constants)}
+    for k, symbol in enumerate(trace.directions):
+        found[symbol] = f"row {'io'[k // 3]} {kind} {k % 3}*{'io'[k // 3]}_row+n"
+    return found | {p.symbol: f"row varying {kind} {k}*row+n" for k, p in enumerate(rows)}
+
+
+def program(arguments: str, kind: str, lines: Sequence[str]) -> str:
+    """The text of ``span``, which runs a program of vectors over a run of directions."""
     text = intrinsic("stretch", f'vectors.stretch(WHOLE, "{kind}", ', arguments.split(", "), lines)
-    return f"{text}\n\n\ndef span({arguments}):\n    stretch({arguments})", constants, rows
+    return f"{text}\n\n\ndef span({arguments}):\n    stretch({arguments})"
 
 
 def _forward(trace: Trace, varying: Collection[str]) -> tuple[str, list[Symbol], list[TracedParameter]]:
     """The loop that stores the outputs of a trace in rows ``f``, the constants it wants, and the parameters that vary."""
-    rows, leaves = _leaves(trace, varying)
-    outputs = without_division(trace.outputs, leaves)
-    constants = tracing.frontier(outputs, tracing.dependence(outputs, leaves), PARAMETERS)
+    rows, bits = inputs_of(trace, varying)
+    outputs = without_division(trace.outputs, bits)
+    constants = tracing.frontier(outputs, tracing.dependence(outputs, bits), PARAMETERS)
     loads, given = _given(trace, constants, rows)
-    lines, results = statements(_target(outputs, _inputs(leaves)), outputs, given)
+    lines, results = statements(_target(outputs, inputs(bits)), outputs, given)
     lanes = len(results)
     body = [*_loads(trace, lanes, given, rows), *lines]
     body += [f'store(F, f, {_row("f_row", c)}n, {result}, "span", {c}, {lanes})' for c, result in enumerate(results)]
@@ -151,52 +159,9 @@ def worth_apart(trace: Trace, varying: Collection[str]) -> bool:
 
 def _constants(trace: Trace) -> list[Symbol]:
     """What depends on parameters alone."""
-    leaves = trace.leaves()
-    outputs = without_division(trace.outputs, leaves)
-    return tracing.frontier(outputs, tracing.dependence(outputs, leaves), PARAMETERS)
-
-
-def gradient(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
-    """The kernel of the adjoint: sum over directions and channels of seed times value, differentiated.
-
-    Derivatives by the constants are added up in `scalar` over a tile and in float64 over tiles; derivatives by varying parameters are
-    stored for every direction.
-    """
-    graph = trace.graph
-    rows, leaves = _leaves(trace, varying)
-    outputs = without_division(trace.outputs, leaves)
-    seeds: dict[Symbol, Symbol] = {}
-    seed_leaves = [graph.leaf(f"seed[{c}]") for c in range(len(outputs))]
-    for output, seed in zip(outputs, seed_leaves, strict=True):  # channels of equal value are one symbol
-        seeds[output] = seeds[output] + seed if output in seeds else seed
-    constants = tracing.frontier(outputs, tracing.dependence(outputs, leaves), PARAMETERS)
-    slopes = tracing.adjoint(seeds, [*constants, *(p.symbol for p in rows)])
-    totals = [symbol for symbol in constants if symbol in slopes]
-    wanted = [*(slopes[symbol] for symbol in totals), *(slopes.get(p.symbol, graph.constant(0.0)) for p in rows)]
-
-    leaves |= dict.fromkeys(seed_leaves, DIRECTIONS)
-    constants = tracing.frontier(wanted, tracing.dependence(wanted, leaves), PARAMETERS)
-    loads, given = _given(trace, constants, rows)
-    given |= {leaf: f"seed{c}" for c, leaf in enumerate(seed_leaves)}
-    lines, results = statements(_target(wanted, _inputs(leaves)), wanted, given)
-    lanes = max(1, len(rows))
-    body = [*_loads(trace, lanes, given, rows)]
-    body += [f'seed{c} = load(F, f, {_row("f_row", c)}n, "span", {lanes})' for c in range(len(seed_leaves))]
-    body += lines
-    body += [f"s{k} = add_in_any_order(s{k}, {result})" for k, result in enumerate(results[: len(totals)])]
-    body += [
-        f'store(F, slopes, {_row("row", v)}n, {result}, "span", {v}, {lanes})'
-        for v, result in enumerate(results[len(totals) :])
-    ]
-    before = [*loads, *(f"s{k} = F(0.0)" for k in range(len(totals)))]
-    after = [
-        f'store(float64, totals, {k}, load(float64, totals, {k}, "other", 1) + s{k}, "totals", 0, 1)'
-        for k in range(len(totals))
-    ]
-    span = _span("i, i_row, o, o_row, constants, varying, row, f, f_row, slopes, totals, count", before, body, after)
-    driver = drivers.GRADIENT.format(channels=len(seed_leaves))
-    text = _module(trace, "Derivatives of a reflectance model", scalar, span, driver)
-    return Kernel(text, "gradient", tuple(constants), tuple(rows), tuple(totals))
+    bits = trace.leaves()
+    outputs = without_division(trace.outputs, bits)
+    return tracing.frontier(outputs, tracing.dependence(outputs, bits), PARAMETERS)
 
 
 def functions(scalar: str) -> str:
@@ -207,25 +172,25 @@ def functions(scalar: str) -> str:
 def _target(outputs: Sequence[Symbol], leaves: Collection[Symbol]) -> Target:
     """How to print `outputs`, of which `leaves` may be NaN."""
     special = {}
-    for symbol, (word, args) in _words(outputs, leaves).items():
+    for symbol, (word, args) in words(outputs, leaves).items():
         a, b = ("{0}", "{1}") if args[0] is symbol.args[0] else ("{1}", "{0}")
         special[symbol] = f"{word}({{0}})" if len(args) == 1 else _EXTREMA[word].format(a=a, b=b)
     return Target(_TEMPLATES, _constant, special=special)
 
 
-def _words(outputs: Sequence[Symbol], leaves: Collection[Symbol]) -> dict[Symbol, tuple[str, tuple[Symbol, ...]]]:
+def words(outputs: Sequence[Symbol], leaves: Collection[Symbol]) -> dict[Symbol, tuple[str, tuple[Symbol, ...]]]:
     """How to compute extrema and arc sines of `outputs`, of which `leaves` may be NaN: a word and its arguments."""
-    words: dict[Symbol, tuple[str, tuple[Symbol, ...]]] = {}
+    found: dict[Symbol, tuple[str, tuple[Symbol, ...]]] = {}
     careful = nan.careful(outputs, leaves)
     for symbol in tracing.live(outputs):
         if symbol.op in _CAREFUL:
             a, b = symbol.args
             order = (a, b) if nan.first(symbol) is a else (b, a)
-            words[symbol] = (_CAREFUL[symbol.op] if symbol in careful else symbol.op), order
+            found[symbol] = (_CAREFUL[symbol.op] if symbol in careful else symbol.op), order
         elif symbol.op == "asin" and symbol.args[0].op == "minimum":
             # directions.polar_angle: the smaller of a sine and a cosine is at most sin(pi/4).
-            words[symbol] = "asin_near", symbol.args
-    return words
+            found[symbol] = "asin_near", symbol.args
+    return found
 
 
 def _constant(value: float | bool) -> str:
@@ -258,13 +223,13 @@ def _inverse_of_clamped(symbol: Symbol) -> bool:
     return any(a.op == "constant" and a.value >= SMALLEST_COSINE for a in symbol.args[1].args)
 
 
-def _leaves(trace: Trace, varying: Collection[str]) -> tuple[list[TracedParameter], dict[Symbol, int]]:
+def inputs_of(trace: Trace, varying: Collection[str]) -> tuple[list[TracedParameter], dict[Symbol, int]]:
     """The parameters that vary, and all leaves with their bits: what varies counts as a direction."""
     rows = [p for p in trace.parameters if p.slot in varying]
     return rows, trace.leaves() | {p.symbol: DIRECTIONS for p in rows}
 
 
-def _inputs(leaves: Mapping[Symbol, int]) -> list[Symbol]:
+def inputs(leaves: Mapping[Symbol, int]) -> list[Symbol]:
     """Those that a kernel reads for every direction."""
     return [leaf for leaf, bit in leaves.items() if bit == DIRECTIONS]
 
@@ -308,7 +273,7 @@ def _header(title: str, scalar: str) -> str:
     return drivers.HEADER.format(title=title, scalar=scalar, integer=integer, item=item, whole=WHOLE, tile=TILE)
 
 
-def _module(trace: Trace, title: str, scalar: str, span: str, driver: str) -> str:
+def module(trace: Trace, title: str, scalar: str, span: str, driver: str) -> str:
     needs = any(f"{name}(" in span for name in ELEMENTARY)
     title = f"{title}: generated by Motes, {len(trace.outputs)} output(s), {scalar}."
     functions = elementary.source(elementary.PRECISIONS[scalar]) if needs else ""

@@ -7,7 +7,6 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple, Protocol
 
 from motes.kernels.assembly import (
-    ANY_ORDER,
     BYTE,
     DOUBLE,
     FLAGS,
@@ -271,11 +270,6 @@ class Expressions:
         x = self._value(args[0])
         return self.builder.intrinsic(f"llvm.sqrt.f{32 if x.kind == FLOAT else 64}", x.kind, [x], FLAGS)
 
-    def _add_in_any_order(self, args: Sequence[ast.expr]) -> Value:
-        """``add_in_any_order(total, term)``: a term of a sum that may be regrouped into lanes; the order is fixed once compiled."""
-        a, b = (self._value(argument) for argument in args)
-        return self.builder.value(a.kind, f"fadd {ANY_ORDER} {a.kind} {a.text}, {b.text}")
-
     def _bits(self, args: Sequence[ast.expr]) -> Value:
         """``bits_of(x)``: the bits of a float as an integer of its size, and ``float_of(n)``: the float that has these bits."""
         x = self._value(args[0])
@@ -298,7 +292,6 @@ _BUILT_IN: dict[str, Callable[[Expressions, Sequence[ast.expr]], Value]] = {
     "select": Expressions._select,
     "min": Expressions._min,
     "sqrt": Expressions._sqrt,
-    "add_in_any_order": Expressions._add_in_any_order,
     "bits_of": Expressions._bits,
     "float_of": Expressions._bits,
     "prefetch": Expressions._prefetch,

@@ -8,13 +8,14 @@ A program is text, one instruction a line, in the order of evaluation::
     t1 = lt t0 a0
     t2 = where t1 t0 a1
     put state D 4 t2              stores; `add` instead of `put` adds to what is there
+    sum sums F 16 t0*t2 -t2       adds products and numbers, with their signs, to a row of half as many lanes (for `stretch`)
 
 A program becomes vector instructions as it stands: no compiler has to find out that they can be vectors.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from motes.kernels.assembly import DOUBLE, FLOAT, WORD, Builder, Value, number, scalar, vector
 from motes.kernels.machine_code import vector_bytes
@@ -168,6 +169,9 @@ class _Writer(Lanes):
             if line[0] in ("put", "add"):
                 self._store(line[0], line[1], line[2], line[3], values[line[4]], indices)
                 continue
+            if line[0] == "sum":
+                self._sum(line[1], line[2], line[3], line[4:], values, indices)
+                continue
             name, _, op, *arguments = line
             if op == "row":
                 values[name] = self._row(arguments[0], arguments[1], arguments[2], indices)
@@ -234,6 +238,27 @@ class _Writer(Lanes):
         if how == "add":
             value = builder.binary("fadd", builder.load(value.kind, place, align), value)
         builder.store(value, place, align)
+
+    def _sum(
+        self,
+        address: str,
+        letter: str,
+        index: str,
+        terms: Sequence[str],
+        values: Mapping[str, Value],
+        indices: Mapping[str, Value],
+    ) -> None:
+        """Add terms to a row: the first half of the lanes, then the other half."""
+        builder, half = self.builder, self.lanes // 2
+        place, size = self.place(address, letter, index, indices), 4 if letter == "F" else 8
+        total = builder.load(vector(half, self.element), place, size)
+        for first in (0, half):
+            order = list(range(first, first + half))
+            for term in terms:
+                a, *b = (builder.shuffled(values[name], values[name], order) for name in term.lstrip("-").split("*"))
+                product = builder.binary("fmul", a, b[0]) if b else a
+                total = builder.binary("fsub" if term[0] == "-" else "fadd", total, product)
+        builder.store(total, place, size)
 
     def _cast(self, value: Value, letter: str, wanted: str) -> Value:
         if letter == wanted:
