@@ -25,6 +25,7 @@ HERE = Path(__file__).resolve().parent
 OUT = HERE.parent / "out" / "bench"
 SCRIPTS = (
     "evaluate",
+    "instruction_sets",
     "dust",
     "sampling",
     "texels",

@@ -27,6 +27,7 @@ ROOT = Path(__file__).resolve().parents[1]
 BENCHMARKS = ROOT / "benchmarks"
 PARTS = {
     "evaluate": "evaluation",
+    "instruction_sets": "instruction_sets",
     "dust": "dust_cost",
     "sampling": "sampling",
     "texels": "texel_fits",

@@ -1,19 +1,29 @@
-"""From LLVM's text to functions that can be called: optimised once, for the processor at hand.
+"""From LLVM's text to functions that can be called: optimised once, for the processor at hand or for a level that it has.
 
-What is made is an object, as linkers know them, that another process loads in some milliseconds.
+What is made is an object, as linkers know them, that another process loads in some milliseconds.  ``$MOTES_PROCESSOR`` names a level of x86-64, for
+instructions that other machines have, too, and for the same bits on all of them; it is read once, when the first kernel is asked for.
 """
 
 from __future__ import annotations
 
 import ctypes
 import functools
+import os
 import threading
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from motes.errors import MotesError
+
 #: Kernels are functions of integers; they let go of the interpreter's lock.
 Kernel = Callable[..., Any]
 _lock = threading.RLock()
+#: The levels of x86-64 (System V ABI, "Micro-Architecture Levels"), and what each adds to those before it, in LLVM's names.
+LEVELS = {
+    "x86-64-v2": ("cx16", "popcnt", "sahf", "sse3", "sse4.1", "sse4.2", "ssse3"),
+    "x86-64-v3": ("avx", "avx2", "bmi", "bmi2", "f16c", "fma", "lzcnt", "movbe", "xsave"),
+    "x86-64-v4": ("avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"),
+}
 
 
 def _machine() -> Any:
@@ -30,13 +40,49 @@ def _machine() -> Any:
 
 @functools.cache
 def _processor() -> tuple[str, str]:
-    """The processor's name, and what it can do."""
+    """The processor's name, and what it can do; or a level of it."""
     from llvmlite import binding
 
+    if level := os.environ.get("MOTES_PROCESSOR"):
+        return level, ",".join(f"+{feature}" for feature in _allowed(level))
     try:
         return binding.get_host_cpu_name(), binding.get_host_cpu_features().flatten()
     except RuntimeError:  # LLVM knows the name of this processor only
         return binding.get_host_cpu_name(), ""
+
+
+def host_features() -> set[str]:
+    """What the processor at hand can do, in LLVM's names; nothing where LLVM does not know."""
+    from llvmlite import binding
+
+    try:
+        return {feature for feature, has in binding.get_host_cpu_features().items() if has}
+    except RuntimeError:
+        return set()
+
+
+def features_of(level: str) -> list[str]:
+    """What a level of x86-64 can do: what it adds, and what those before it do."""
+    return [feature for name, more in LEVELS.items() if name <= level for feature in more]
+
+
+def _allowed(level: str) -> list[str]:
+    """The same, of a level that the processor at hand has.
+
+    Raises
+    ------
+    MotesError
+        When there is no such level, or the processor lacks some of it.
+    """
+    there = host_features()
+    has = ", ".join(name for name in LEVELS if there.issuperset(features_of(name)))
+    hint = f"Name one of {has}, or none" if has else "Name none"
+    this = f"this processor has {has or 'none of them'}"
+    if level not in LEVELS:
+        raise MotesError(f"MOTES_PROCESSOR is {level!r}, expected one of {', '.join(LEVELS)}; {this}", hint)
+    if lacking := [feature for feature in features_of(level) if feature not in there]:
+        raise MotesError(f"MOTES_PROCESSOR is {level}, but this processor lacks {', '.join(lacking)}; {this}", hint)
+    return features_of(level)
 
 
 def vector_bytes() -> int:
