@@ -20,9 +20,9 @@ from motes.errors import DataError
 from motes.graph import recording, tracing
 from motes.graph.recording import Kind
 from motes.graph.tracing import Graph
-from motes.kernels import engine, immediate
+from motes.kernels import engine, immediate, jobs
 from motes.kernels.registers import program
-from motes.models import BRDF, Component, DustLayer, Lambert, OrenNayar, TorranceSparrow
+from motes.models import BRDF, Component, Dust, DustLayer, Lambert, OrenNayar, TorranceSparrow
 from motes.models.lobes import CosineLobe
 from motes.parameters import parameter
 
@@ -197,6 +197,25 @@ def test_a_second_call_does_little_besides_the_formula() -> None:
     DUSTY.eval(wi, wo)
     general = calls_of(lambda: as_printed(DUSTY, wi, wo))
     assert calls_of(lambda: DUSTY.eval(wi, wo)) < 100, f"the formula alone, over NumPy, makes {general}"
+
+
+def test_a_second_call_of_the_engine_does_little() -> None:
+    pytest.importorskip("llvmlite")
+    wi, wo = upper_directions(100, 13), upper_directions(100, 14)
+    before = len(jobs._known)
+
+    def called() -> None:
+        model = DustLayer(PAINT, Dust(w=(0.7, 0.6, 0.5), g=0.3), tau=0.2)
+        expected = engine.evaluate(model, wi, wo)
+        assert calls_of(lambda: engine.evaluate(model, wi, wo)) < 150
+        other = model.with_parameters({"tau": 0.3})
+        assert not np.array_equal(engine.evaluate(other, wi, wo), expected)
+        np.testing.assert_array_equal(engine.evaluate(model, wi, wo), expected)
+        assert len(jobs._known) >= before + 2
+
+    called()
+    gc.collect()
+    assert len(jobs._known) <= before
 
 
 def test_models_of_one_structure_are_recorded_once(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -143,7 +143,7 @@ _kernels: dict[tuple[Any, ...], _Kernel] = {}
 
 
 def _kernel(device: Device, job: Job) -> _Kernel:
-    key = (device.name, tracing.key(job.model, job.channels), job.varying, job.scalar)
+    key = (device.name, job.known.key, job.varying, job.scalar)
     if key not in _kernels:
         trace = recorded(Kind.VALUE, job.model, job.channels) or tracing.trace(job.model, job.channels)
         printed = evaluation(trace, job.varying, job.scalar.name)

@@ -165,14 +165,23 @@ def call(kind: Kind, model: Parametrised, a: Array, b: Array) -> list[Array]:
 def _run(kind: str, job: Job, *targets: int) -> None:
     """Compute all of a call, into `targets`: places, as the driver of that kind takes them."""
     kernel = _kernel(kind, job)
-    constants, varying = kernel.constants(job.uniform), job.rows(kernel.varying)
-    others = (address(constants), address(varying), job.count, *targets)
+    constants, varying = _constants(kernel, job), job.rows(kernel.varying)
+    others = (constants, address(varying), job.count, *targets)
 
     def work(chunk: int, room: int) -> None:
         for a, b, first, last in job.pieces(chunk):
             kernel.driver(*a, *b, *others, room, first, last)
 
     job.run(work)
+
+
+def _constants(kernel: _Kernel, job: Job) -> int:
+    """The address of what a kernel wants beforehand, which is computed once for a model and lives as long as it."""
+    found = job.known.constants.get(id(kernel))
+    if found is None or found[0] is not kernel:
+        constants = kernel.constants(job.uniform)
+        found = job.known.constants[id(kernel)] = (kernel, constants, address(constants))
+    return int(found[2])
 
 
 def _evaluate_apart(job: Job, target: Array) -> None:
@@ -232,12 +241,11 @@ def vjp(model: Parametrised, wi: ArrayLike, wo: ArrayLike, upstream: ArrayLike) 
         ) from None
     seed = seed if len(shape) == 2 else seed.reshape(-1, job.channels)
     kernel = _kernel("gradient", job)
-    constants = kernel.constants(job.uniform)
-    varying = job.rows(kernel.varying)
+    constants, varying = _constants(kernel, job), job.rows(kernel.varying)
     slopes = np.zeros_like(varying)
     totals = np.zeros((job.chunks, len(kernel.totals)))
 
-    others = (address(constants), address(varying), job.count, *place(seed), address(slopes))
+    others = (constants, address(varying), job.count, *place(seed), address(slopes))
 
     def work(chunk: int, room: int) -> None:
         sums = address(totals[chunk])
@@ -304,7 +312,7 @@ if hasattr(os, "register_at_fork"):
 
 def _kernel(kind: str, job: Job) -> _Kernel:
     """The kernel for a call, from memory, from the cache folder, or compiled."""
-    key = (kind, tracing.key(job.model, job.channels), job.varying, job.scalar)
+    key = (kind, job.known.key, job.varying, job.scalar)
     kernel = _kernels.get(key)
     if kernel is None:
         with _lock:
@@ -317,7 +325,7 @@ _worth: dict[tuple[Any, ...], bool] = {}
 
 
 def _worth_apart(job: Job) -> bool:
-    key = (tracing.key(job.model, job.channels), job.varying)
+    key = (job.known.key, job.varying)
     if key not in _worth:
         _worth[key] = loops.worth_apart(tracing.trace(job.model, job.channels), job.varying)
     return _worth[key]
@@ -325,7 +333,7 @@ def _worth_apart(job: Job) -> bool:
 
 def _kernels_apart(job: Job) -> tuple[_Kernel, _Kernel]:
     """The kernels of the numbers of rows, and of the rows: of one graph, so that both have the numbers in one order."""
-    key = (tracing.key(job.model, job.channels), job.varying, job.scalar)
+    key = (job.known.key, job.varying, job.scalar)
     pair = _pairs.get(key)
     if pair is None:
         with _lock:
@@ -337,7 +345,7 @@ def _kernels_apart(job: Job) -> tuple[_Kernel, _Kernel]:
 
 def _kernels_grouped(job: Job) -> tuple[_Kernel, _Kernel] | None:
     """The kernels of the numbers of groups, and of the groups; None where it is not worth it."""
-    key = (tracing.key(job.model, job.channels), job.varying)
+    key = (job.known.key, job.varying)
     if key not in _grouped:
         with _lock:
             trace = _trace("grouped", job)

@@ -10,8 +10,6 @@ Both do the same operations in the same order, so what a direction gives does no
 from __future__ import annotations
 
 import math
-import weakref
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -21,6 +19,7 @@ from motes.arrays import is_foreign
 from motes.directions import HORIZON, LONGEST
 from motes.graph import tracing
 from motes.graph.recording import Kind, recorded
+from motes.kernels.remembered import Remembered
 from motes.kernels.straight_line import Formula
 from motes.parameters import Parametrised
 
@@ -171,23 +170,15 @@ def _fits(rows: Array) -> bool:
 
 
 _formulas: dict[Any, Formula] = {}
-# By identity: models are equal by value, which takes long to find out; and they are immutable.  An entry goes with its model.
-_models: dict[int, tuple[weakref.ref[Parametrised], dict[Kind, _Ready | None]]] = {}
+_models: Remembered[dict[Kind, _Ready | None]] = Remembered(lambda model: {})
 
 
 def _ready(kind: Kind, model: Parametrised) -> _Ready | None:
     """What is known of a model, or None where this way does not serve it."""
-    number = id(model)
-    known = _models.get(number)
-    if known is None or known[0]() is not model:
-        known = _models[number] = (weakref.ref(model, partial(_forget, number)), {})
-    if kind not in known[1]:
+    known = _models.of(model)
+    if kind not in known:
         try:
-            known[1][kind] = _Ready(kind, model)
+            known[kind] = _Ready(kind, model)
         except (TypeError, ValueError):  # also where a field is nothing that can be looked up by
-            known[1][kind] = None
-    return known[1][kind]
-
-
-def _forget(number: int, _: object) -> None:
-    _models.pop(number, None)
+            known[kind] = None
+    return known[kind]

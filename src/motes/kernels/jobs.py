@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
 from itertools import pairwise
@@ -12,10 +13,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from motes import workers
 from motes.errors import DataError, ParameterError
+from motes.graph import tracing
 from motes.graph.tracing import TracedParameter
 from motes.kernels.assembly import LINE
 from motes.kernels.loops import TILE, WHOLE
 from motes.kernels.memory import empty
+from motes.kernels.remembered import Remembered
 from motes.parameters import Parametrised, Slot
 
 CHUNK = 32 * TILE  # directions that a thread takes at a time
@@ -26,6 +29,38 @@ SHORTEST_ROW = 32
 # From so many texels on what depends on one parameter alone may be computed for groups of them (`motes.kernels.grouped`).
 MANY = 16_384
 Array = NDArray[Any]
+
+
+_SINGLE, _DOUBLE = np.dtype(np.float32), np.dtype(np.float64)
+
+
+class Known:
+    """What calls ask of a model, found once.
+
+    Attributes
+    ----------
+    slots
+        By name.
+    batches
+        The axes of parameters that broadcast against the directions, of those that have some.
+    varying
+        Slots that may differ from direction to direction.
+    key
+        See `motes.graph.tracing.key`.
+    constants
+        What depends on parameters alone, by the kernel that asks for it; filled by `motes.kernels.engine`.
+    """
+
+    def __init__(self, model: Parametrised) -> None:
+        self.channels = int(model.channels)  # type: ignore[attr-defined]
+        self.slots = {slot.name: slot for slot in model.slots()}
+        self.batches = {name: shape for name, slot in self.slots.items() if (shape := _batch(slot))}
+        self.varying = tuple(name for name, shape in self.batches.items() if math.prod(shape) != 1)
+        self.key = tracing.key(model, self.channels)
+        self.constants: dict[Any, Any] = {}
+
+
+_known = Remembered(Known)
 
 
 class Piece(NamedTuple):
@@ -74,6 +109,7 @@ class Job:
         self, model: Parametrised, wi: ArrayLike, wo: ArrayLike, second: tuple[str, int] = ("wo", 3), more: int = 0
     ) -> None:
         self.model = model
+        self.known = _known.of(model)
         wi, wo = np.asarray(wi), np.asarray(wo)
         for (name, n), w in ((("wi", 3), wi), (second, wo)):
             if w.ndim == 0 or w.shape[-1] != n:
@@ -81,37 +117,40 @@ class Job:
                     f"{name} has shape {w.shape}: the last axis must have length {n}", f"Pass arrays (..., {n})"
                 )
         single = all(w.dtype.kind == "f" and w.dtype.itemsize == 4 for w in (wi, wo))
-        self.scalar = np.dtype(np.float32 if single else np.float64)
-        self.channels = int(model.channels)  # type: ignore[attr-defined]
+        self.scalar = _SINGLE if single else _DOUBLE
+        self.channels, self.slots, self.varying = self.known.channels, self.known.slots, self.known.varying
         self._items = (wi.shape[-1] + wo.shape[-1] + more + self.channels) * TILE
-        self.slots = {slot.name: slot for slot in model.slots()}
-        batches = {name: _batch(slot) for name, slot in self.slots.items()}
-        try:
-            self.shape = np.broadcast_shapes(wi.shape[:-1], wo.shape[:-1], *batches.values())
-        except ValueError:
-            listed = ", ".join(f"{name} {shape}" for name, shape in batches.items() if shape)
-            raise ParameterError(
-                f"{type(model).__name__}: directions {wi.shape}, {wo.shape} and parameters do not broadcast ({listed or 'no axes'})",
-                "All axes of a parameter but the channels must fit those of the directions",
-            ) from None
-        self.count = int(np.prod(self.shape))
+        batches = self.known.batches
+        self.shape = wi.shape[:-1]
+        if batches or wo.shape[:-1] != self.shape:
+            try:
+                self.shape = np.broadcast_shapes(wi.shape[:-1], wo.shape[:-1], *batches.values())
+            except ValueError:
+                listed = ", ".join(f"{name} {shape}" for name, shape in batches.items())
+                raise ParameterError(
+                    f"{type(model).__name__}: directions {wi.shape}, {wo.shape} and parameters do not broadcast ({listed or 'no axes'})",
+                    "All axes of a parameter but the channels must fit those of the directions",
+                ) from None
+        self.count = math.prod(self.shape)
         self.chunks = -(-self.count // CHUNK)
-        self.wi, self.wo = (self._spread(w) for w in (wi, wo))
-        self.varying = tuple(name for name, shape in batches.items() if np.prod(shape) != 1)
+        self.wi, self.wo = self._spread(wi), self._spread(wo)
 
     def _spread(self, w: Array) -> Array:
         """Directions of the shape of the call, (N, 3) where strides can say it; a view in any case but of odd types and places."""
         w = w.astype(self.scalar, copy=False)
         if not w.flags.aligned:
             w = w.copy()
-        w = np.broadcast_to(w, (*self.shape, w.shape[-1]))
-        whole = w.ndim <= 2 or _even(w) or (self.shape[-1] < LONG and self._slab > CHUNK)
+        if w.shape[:-1] != self.shape:
+            w = np.broadcast_to(w, (*self.shape, w.shape[-1]))
+        if w.ndim == 2:
+            return w
+        whole = w.ndim == 1 or _even(w) or (self.shape[-1] < LONG and self._slab > CHUNK)
         return w.reshape(-1, w.shape[-1]) if whole else w
 
     @property
     def _slab(self) -> int:
         """The number of directions to an entry of the first axis."""
-        return int(np.prod(self.shape[1:]))
+        return math.prod(self.shape[1:])
 
     def pieces(self, chunk: int) -> Iterator[Piece]:
         """What to compute for a chunk: all of it at once, or the rows of an outer product."""
@@ -164,7 +203,7 @@ class Job:
     @cached_property
     def apart(self) -> bool:
         """Whether the parameters that vary are uniform over each row of the last axis, and rows are long enough for that to matter."""
-        shapes = [_batch(self.slots[name]) for name in self.varying]
+        shapes = [self.known.batches[name] for name in self.varying]
         return bool(shapes) and self.shape[-1] >= SHORTEST_ROW and all(shape[-1] == 1 for shape in shapes)
 
     @cached_property
