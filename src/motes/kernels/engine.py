@@ -283,14 +283,13 @@ class _Kernel:
     def constants(self, value: Callable[[tracing.TracedParameter], float]) -> Array:
         """What the driver wants beforehand, from the values of parameters."""
         with np.errstate(all="ignore"):
-            return np.array(self._constants(*(np.float64(value(p)) for p in self._uniform)), self._scalar)
+            return np.array(self._constants(*(value(p) for p in self._uniform)), self._scalar)
 
     def pullback(
         self, value: Callable[[tracing.TracedParameter], float], totals: NDArray[np.float64]
     ) -> dict[tracing.TracedParameter, float]:
         """Derivatives by the uniform parameters from derivatives by the constants."""
-        with np.errstate(all="ignore"):
-            slopes = self._pullback(*(np.float64(value(p)) for p in self._uniform), *totals)
+        slopes = self._pullback(*(value(p) for p in self._uniform), *totals.tolist())
         return dict(zip(self._uniform, map(float, slopes), strict=True))
 
 
@@ -368,9 +367,9 @@ def _made(kind: str, job: Job, trace: tracing.Trace) -> _Kernel:
     seeds = {symbol: trace.graph.leaf(f"total[{k}]") for k, symbol in enumerate(printed.totals)}
     slopes = tracing.adjoint(seeds, list(names))
     zero = trace.graph.constant(0.0)
-    constants = numpy_code.scalar_function("constants", names, printed.constants)
+    constants = numpy_code.function_of_numbers("constants", names, printed.constants)
     names |= {seed: f"d{k}" for k, seed in enumerate(seeds.values())}
-    pullback = numpy_code.scalar_function("pullback", names, [slopes.get(p.symbol, zero) for p in uniform])
+    pullback = numpy_code.function_of_numbers("pullback", names, [slopes.get(p.symbol, zero) for p in uniform])
     code = module(printed.source, f"the {kind} of {type(job.model).__name__} in {scalar.name}")
     driver = getattr(code, printed.driver)
     return _Kernel(driver, printed.varying, printed.totals, uniform, constants, pullback, scalar, printed, code)

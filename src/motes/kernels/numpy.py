@@ -57,6 +57,28 @@ def scalar_function(
     return made
 
 
+def function_of_numbers(
+    name: str, arguments: Mapping[Symbol, str], results: Sequence[Symbol]
+) -> Callable[..., tuple[Any, ...]]:
+    """The same of numbers alone, in Python's own: the same bits in a third of the time."""
+    body, texts = statements(NUMPY, results, arguments)
+    text = function(name, list(arguments.values()), body, texts)
+    names = NUMBERS.copy()
+    exec(compile(text, f"<motes: {name}>", "exec"), names)
+    over_numbers: Callable[..., tuple[Any, ...]] = names[name]
+    over_arrays: list[Callable[..., tuple[Any, ...]]] = []
+
+    def made(*given: float) -> tuple[Any, ...]:
+        try:
+            return over_numbers(*map(float, given))
+        except (ZeroDivisionError, ValueError):  # NumPy goes on with an infinity or a NaN, which `where` may leave out
+            over_arrays[:] = over_arrays or [compiled(f"{_HEADER}\n\n{text}", name)[name]]
+            with np.errstate(all="ignore"):
+                return over_arrays[0](*map(np.float64, given))
+
+    return made
+
+
 def compiled(source: str, title: str) -> dict[str, Any]:
     """The names that our own generated `source` defines."""
     names: dict[str, Any] = {}
