@@ -11,7 +11,8 @@ import pytest
 from numpy.typing import NDArray
 
 from catalogue import ENTRIES, SPECIAL_WI, SPECIAL_WO, Entry, reference, upper_directions
-from motes.kernels.numpy import residual_function
+from motes.graph.symbols import Graph
+from motes.kernels.numpy import function_of_numbers, residual_function, scalar_function
 from motes.kernels.parameters_alone import FEW, Alone, Results, found
 from motes.models import BRDF, CoatedDiffuse, DustLayer, Lambert, OrenNayar, TorranceSparrow
 
@@ -124,6 +125,18 @@ def test_a_division_by_zero_is_left_to_numpy() -> None:
         results = found(inverse, [np.array([2.0, 0.0])], Results())
     np.testing.assert_array_equal(results.arrays[0], [0.5, 0.0])
     assert found(inverse, [np.array([2.0, 4.0])], Results()).rows == [(0.5,), (0.25,)]
+
+
+def test_functions_of_numbers_are_numpy_s_to_the_last_digit() -> None:
+    graph = Graph()
+    a, b = graph.leaf("a"), graph.leaf("b")
+    results = [graph.exp(a) / b, graph.sqrt(a - b), graph.where(a < b, a / b, graph.maximum(a, b)), a * b]
+    names = {a: "a", b: "b"}
+    over_numbers, over_arrays = function_of_numbers("f", names, results), scalar_function("f", names, results)
+    for given in ((0.7, 0.3), (1.0, 0.0), (-1.0, 2.0), (1e300, 1e-300), (float("nan"), 1.0), (-3.0, 0.0)):
+        with np.errstate(all="ignore"):
+            expected = over_arrays(*map(np.float64, given))
+        np.testing.assert_array_equal(over_numbers(*given), expected)
 
 
 def test_any_order_of_axes_that_broadcasts_will_do() -> None:

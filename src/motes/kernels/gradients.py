@@ -14,7 +14,7 @@ from motes.graph.tracing import DIRECTIONS, PARAMETERS, Symbol, Trace
 from motes.kernels import drivers, loops
 from motes.kernels.programs import computed
 
-#: Lanes of a row of sums: as many as two vectors of float32 have at most.
+#: Lanes of a row of sums: as many as a vector has at most.
 LANES = loops.WHOLE // 2
 
 

@@ -8,7 +8,7 @@ A program is text, one instruction a line, in the order of evaluation::
     t1 = lt t0 a0
     t2 = where t1 t0 a1
     put state D 4 t2              stores; `add` instead of `put` adds to what is there
-    sum sums F 16 t0*t2 -t2       adds products and numbers, with their signs, to a row of half as many lanes (for `stretch`)
+    sum sums F 16 t0*t2 -t2       adds products and numbers, with their signs, to a row as long as a vector of the processor (for `stretch`)
 
 A program becomes vector instructions as it stands: no compiler has to find out that they can be vectors.
 """
@@ -22,6 +22,7 @@ from motes.kernels.machine_code import vector_bytes
 from motes.kernels.vector_functions import Lanes
 
 TOGETHER = 8  # lanes for which a program over rows is run at a time: a vector of AVX-512 in float64
+LONG = 800  # lines of a program over long rows, 40 bytes of instructions each for two vectors
 PIECE = 8  # numbers that `transposed` reads at once from a lane's memory
 
 
@@ -81,16 +82,21 @@ def stretch(builder: Builder, most: int, letter: str, program: str, *arguments: 
 
     The program may use ``n``, the first item of such a step, in indices; one of its arguments is ``count``, a multiple of `most`.  What it says with
     ``splat`` and ``const`` is the same for all steps, and done once before.  Two vectors, because a processor waits for the one's divisions and
-    polynomials where it has nothing else to do.
+    polynomials where it has nothing else to do; one in programs of more than `LONG` lines, whose instructions for two do not fit the first cache.
     """
     names, lines = _parsed(program)
     uniform, rest = _uniform(lines)
     given = dict(zip(names, arguments, strict=True))
-    size = 4 if letter == "F" else 8
-    writer = _Writer(builder, min(most, 2 * vector_bytes() // size), letter, given)
+    at_once = 2 if len(rest) <= LONG else 1
+    writer = _Writer(builder, min(most, at_once * _vector(letter)), letter, given)
     values = writer.run(uniform, {})
     with builder.loop(number(WORD, 0), given["count"], writer.lanes) as n:
         writer.run(rest, {"n": n}, values)
+
+
+def _vector(letter: str) -> int:
+    """Numbers in one of the processor's vectors."""
+    return vector_bytes() // (4 if letter == "F" else 8)
 
 
 def _uniform(lines: list[list[str]]) -> tuple[list[list[str]], list[list[str]]]:
@@ -248,12 +254,12 @@ class _Writer(Lanes):
         values: Mapping[str, Value],
         indices: Mapping[str, Value],
     ) -> None:
-        """Add terms to a row: the first half of the lanes, then the other half."""
-        builder, half = self.builder, self.lanes // 2
-        place, size = self.place(address, letter, index, indices), 4 if letter == "F" else 8
-        total = builder.load(vector(half, self.element), place, size)
-        for first in (0, half):
-            order = list(range(first, first + half))
+        """Add terms to a row, one of the processor's vectors after the other."""
+        builder, size = self.builder, 4 if letter == "F" else 8
+        place, whole = self.place(address, letter, index, indices), min(self.lanes, _vector(letter))
+        total = builder.load(vector(whole, self.element), place, size)
+        for first in range(0, self.lanes, whole):
+            order = list(range(first, first + whole))
             for term in terms:
                 a, *b = (builder.shuffled(values[name], values[name], order) for name in term.lstrip("-").split("*"))
                 product = builder.binary("fmul", a, b[0]) if b else a
