@@ -123,6 +123,13 @@ def test_quantiles_of_students_t(freedom: float, level: float, value: float) -> 
     assert_allclose(half_width(level, freedom), value, rtol=1e-6)
 
 
+@pytest.mark.parametrize("freedom", [1, 1.01, 1.5, 2, 3.3, 8.7, 33.3, 300.5, 1e4, 9e5])
+def test_quantiles_of_students_t_are_those_of_scipy(freedom: float) -> None:
+    stats = pytest.importorskip("scipy.stats")
+    for level in (1e-4, 0.1, 0.68, 0.95, 0.9999):
+        assert_allclose(half_width(level, freedom), stats.t.ppf(0.5 + 0.5 * level, freedom), rtol=1e-8)
+
+
 def test_residuals_that_go_together_are_seen_and_noise_is_not() -> None:
     rng = np.random.default_rng(0)
     labels = np.repeat(np.arange(24), 9)
