@@ -69,11 +69,14 @@ def function_of_numbers(
     over_arrays: list[Callable[..., tuple[Any, ...]]] = []
 
     def made(*given: float) -> tuple[Any, ...]:
-        try:
-            return over_numbers(*map(float, given))
-        except (ZeroDivisionError, ValueError):  # NumPy goes on with an infinity or a NaN, which `where` may leave out
-            over_arrays[:] = over_arrays or [compiled(f"{_HEADER}\n\n{text}", name)[name]]
-            with np.errstate(all="ignore"):
+        with np.errstate(all="ignore"):
+            try:
+                return over_numbers(*map(float, given))
+            except (
+                ZeroDivisionError,
+                ValueError,
+            ):  # NumPy goes on with an infinity or a NaN, which `where` may leave out
+                over_arrays[:] = over_arrays or [compiled(f"{_HEADER}\n\n{text}", name)[name]]
                 return over_arrays[0](*map(np.float64, given))
 
     return made
