@@ -8,7 +8,7 @@ import pytest
 import motes
 from motes import OrenNayar
 from motes.directions import from_spherical
-from motes.fitting import problem, static
+from motes.fitting import channels_among_many, problem, static
 from motes.fitting.algebra import ARRAYS
 from motes.fitting.arrowhead import Arrowhead
 from motes.measurements import Measurement
@@ -70,7 +70,8 @@ def test_a_fit_of_many_channels_is_that_of_dense_matrices(robust: str, monkeypat
     data = measured()
     text = "oren_nayar + torrance_sparrow"
     found = motes.fit(data, text, robust=robust)
-    monkeypatch.setattr(problem, "CHANNELS", 10_000)
+    for module in (problem, channels_among_many):
+        monkeypatch.setattr(module, "CHANNELS", 10_000)
     dense = motes.fit(data, text, robust=robust)
     assert found.status.ok
     assert found.metrics["objective"] <= dense.metrics["objective"] * (1 + 1e-6)
@@ -115,11 +116,11 @@ def test_a_rise_among_some_channels_is_that_among_all(monkeypatch: pytest.Monkey
 def test_channels_without_samples_stand_for_none() -> None:
     data = measured()
     dark = data.with_mask(np.arange(CHANNELS) % 7 > 0, "no light")
-    chosen = problem.even_channels(dark.mask)
+    chosen = channels_among_many.even_channels(dark.mask)
     assert chosen is not None
     assert (chosen % 7 > 0).all()
-    assert len(chosen) == problem.CHANNELS
-    assert problem.even_channels(dark.mask[..., :100]) is None
+    assert len(chosen) == channels_among_many.CHANNELS
+    assert channels_among_many.even_channels(dark.mask[..., :100]) is None
     fit = motes.fit(dark, "lambert")
     K_d = np.asarray(fit.parameters["K_d"].value)
     for channel in (1, 100, 179):  # each by itself

@@ -43,3 +43,32 @@ def test_after_an_error_threads_share_work_again(monkeypatch: pytest.MonkeyPatch
     assert not workers.at_work()
     both = threading.Barrier(2, timeout=30)  # passed by two threads at once, or never
     workers.spread(2, lambda task, _: both.wait() and None, lambda: None)
+
+
+def test_what_is_found_out_beside_is_done_once_and_never_waits_for_itself(monkeypatch: pytest.MonkeyPatch) -> None:
+    for threads in ("1", "2"):
+        monkeypatch.setenv("NUMBA_NUM_THREADS", threads)
+        done: list[str] = []
+
+        def said(what: str, done: list[str] = done) -> str:
+            workers.spread(3, lambda task, _: None, lambda: None)
+            done.append(what)
+            return what
+
+        first, second, third = (
+            workers.Beside(lambda what=what: said(what), what != "idle") for what in ("a", "b", "idle")
+        )
+        workers.spread(5, lambda task, _: None, lambda: None)  # shares its tasks with threads that are busy
+        assert [third.result(), second.result(), first.result()] == ["idle", "b", "a"]
+        assert sorted(done) == ["a", "b", "idle"]
+
+
+def test_an_error_beside_is_raised_where_the_result_is_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NUMBA_NUM_THREADS", "2")
+
+    def fails() -> int:
+        raise ValueError("no")
+
+    failed = workers.Beside(fails)
+    with pytest.raises(ValueError, match="no"):
+        failed.result()

@@ -8,9 +8,9 @@ from __future__ import annotations
 import os
 import threading
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import suppress
-from typing import TypeVar
+from typing import Generic, TypeVar
 
 T = TypeVar("T")
 
@@ -48,7 +48,7 @@ def spread(tasks: int, work: Callable[[int, T], None], room: Callable[[], T]) ->
         finally:
             _here.at_work = outer
 
-    others = []
+    others: list[Future[None]] = []
     if tasks > 1 and threads() > 1 and not at_work():
         pool = _helpers()
         with suppress(
@@ -62,7 +62,32 @@ def spread(tasks: int, work: Callable[[int, T], None], room: Callable[[], T]) ->
         while take() is not None:
             pass
         for other in others:
-            other.result()
+            if not other.cancel():  # not begun, behind what is done `Beside` this
+                other.result()
+
+
+class Beside(Generic[T]):
+    """What another thread finds out meanwhile, where one is free and it is `worthwhile`; else whoever asks for it does so then."""
+
+    def __init__(self, work: Callable[[], T], worthwhile: bool = True) -> None:
+        self._work = work
+        self._other: Future[T] | None = None
+        if worthwhile and threads() > 1 and not at_work():
+            with suppress(RuntimeError):
+                self._other = _helpers().submit(self._alone)
+
+    def result(self) -> T:
+        """What was found; an error of the work is raised here."""
+        if self._other is None or self._other.cancel():
+            return self._work()
+        return self._other.result()
+
+    def _alone(self) -> T:
+        outer, _here.at_work = at_work(), True
+        try:
+            return self._work()
+        finally:
+            _here.at_work = outer
 
 
 def at_work() -> bool:

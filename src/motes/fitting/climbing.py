@@ -9,13 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes.errors import DataError
+from motes.fitting.channels_among_many import even_channels
 from motes.fitting.choice import LADDER, check_names, parsed
 from motes.fitting.direction_blocks import Labels, blocks_of
 from motes.fitting.judgement import FEWEST_BLOCKS, FOLLOWS, Contender, clearly_better
 from motes.fitting.ladder import Rung, rung_of, under_robust
 from motes.fitting.losses import LOSSES
 from motes.fitting.nested import simplest_first
-from motes.fitting.problem import even_channels
 from motes.fitting.setup import Wishes, prepare, sample_weights
 from motes.measurements import Measurement
 from motes.models import describe

@@ -9,8 +9,11 @@ import numpy as np
 
 from motes import workers
 from motes.fitting.losses import Floats
+from motes.measurements import Measurement
 
 Part = TypeVar("Part")
+# Of fewer values what a pass over them finds out is there before another thread has begun with it.
+MANY = 30_000
 
 
 def in_passes(work: Callable[[slice], Part], directions: int, each: int, chunk: int) -> list[Part]:
@@ -18,6 +21,11 @@ def in_passes(work: Callable[[slice], Part], directions: int, each: int, chunk: 
     step = max(64, chunk // max(1, each))
     if each * directions >= chunk // 4:  # worth sharing; the same slices on any machine
         step = min(step, -(-directions // 4))
+    return in_slices(work, directions, step)
+
+
+def in_slices(work: Callable[[slice], Part], directions: int, step: int) -> list[Part]:
+    """`work` on slices of so many directions, in their order; shared by threads where they are several."""
     slices = [slice(k, min(k + step, directions)) for k in range(0, directions, step)]
     if len(slices) < 4:
         return [work(rows) for rows in slices]
@@ -28,6 +36,11 @@ def in_passes(work: Callable[[slice], Part], directions: int, each: int, chunk: 
 
     workers.spread(len(slices), one, lambda: None)
     return [results[k] for k in range(len(slices))]
+
+
+def beside(data: Measurement, work: Callable[[], Part]) -> workers.Beside[Part]:
+    """What `work` finds out about a measurement, by another thread where it is large."""
+    return workers.Beside(work, data.values.size >= MANY)
 
 
 def directions_last(array: Floats) -> Floats:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from motes.fitting.data_passes import in_slices
 from motes.fitting.losses import LOSSES, Floats
 
 # Samples, or directions, that are worked on at a time.
@@ -32,14 +33,16 @@ def distances(fitted: Floats, measured: Floats, cosines: Floats) -> dict[str, fl
 
     NaN for a loss that has no value at a sample: the logarithm of large negative noise.
     """
+
     # In blocks that stay in cache: each transform makes several arrays.
-    sums = dict.fromkeys(LOSSES, 0.0)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        for first in range(0, len(fitted), BLOCK):
-            f, m, c = (part[first : first + BLOCK] for part in (fitted, measured, cosines))
-            for name, loss in LOSSES.items():
-                away = loss.transform(f, c) - loss.transform(m, c)
-                sums[name] += float(np.vdot(away, away))
+    def squares(rows: slice) -> list[float]:
+        f, m, c = (part[rows] for part in (fitted, measured, cosines))
+        with np.errstate(invalid="ignore", divide="ignore"):
+            apart = [loss.transform(f, c) - loss.transform(m, c) for loss in LOSSES.values()]
+            return [float(np.vdot(away, away)) for away in apart]
+
+    parts = in_slices(squares, len(fitted), BLOCK)
+    sums = dict(zip(LOSSES, map(sum, zip(*parts, strict=True)), strict=True)) if parts else dict.fromkeys(LOSSES, 0.0)
     found = {f"rms_{name}": math.sqrt(total / fitted.size) if fitted.size else math.nan for name, total in sums.items()}
     return {"relative_rms": relative_rms(fitted, measured)} | found
 

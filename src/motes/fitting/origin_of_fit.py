@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from datetime import UTC, datetime
 from functools import lru_cache
@@ -14,6 +14,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from motes.fitting.data_passes import beside
 from motes.measurements import Measurement
 from motes.models import BRDF, describe
 from motes.version import __version__
@@ -56,15 +57,13 @@ class Origin:
 _digests: WeakKeyDictionary[Measurement, str] = WeakKeyDictionary()
 
 
-def origin_of(data: Measurement, options: Mapping[str, Any]) -> Origin:
-    """The origin of a fit to `data` that begins now."""
-    return Origin(
-        datetime.now(UTC).isoformat(timespec="seconds"),
-        __version__,
-        {name: _plain(value) for name, value in options.items()},
-        _digests.get(data) or _digests.setdefault(data, digest(data)),
-        _file_digest(data.provenance.get("path")),
-    )
+def origin_of(data: Measurement, options: Mapping[str, Any]) -> Callable[[], Origin]:
+    """The origin of a fit to `data` that begins now, to be asked for when it has ended: digests of much data are made beside it."""
+    now = datetime.now(UTC).isoformat(timespec="seconds")
+    plain = {name: _plain(value) for name, value in options.items()}
+    arrays = beside(data, lambda: _digests.get(data) or _digests.setdefault(data, digest(data)))
+    file = _file_digest(data.provenance.get("path"))
+    return lambda: Origin(now, __version__, plain, arrays.result(), file)
 
 
 def digest(data: Measurement) -> str:

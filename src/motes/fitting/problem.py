@@ -18,7 +18,9 @@ from numpy.typing import NDArray
 
 from motes.fitting.algebra import ARRAYS, Arrays
 from motes.fitting.arrowhead import Arrowhead
+from motes.fitting.by_functions import ByFunctions
 from motes.fitting.channel_layout import ChannelLayout
+from motes.fitting.channels_among_many import CHANNELS, rise_among_channels
 from motes.fitting.columns import Columns
 from motes.fitting.covariance import LEAST_REMAINDER
 from motes.fitting.data_passes import directions_last, in_passes
@@ -27,14 +29,13 @@ from motes.fitting.objective import Objective
 from motes.fitting.quantities import Quantity, columns_for
 from motes.fitting.solver import Normal
 from motes.kernels.numpy import FitFunction, residual_function
+from motes.kernels.separated import Separated, separated
 from motes.models import BRDF
 
 Part = TypeVar("Part")
 Vector = TypeVar("Vector", Floats, NDArray[np.bool_])
 # Elements (parameter sets x samples x channels) worked on at a time: few enough that a pass stays in cache, enough that NumPy's overhead does not show.
 CHUNK = 1 << 17
-#: With more than twice as many channels, what asks for many fits is asked of this many, evenly spaced.
-CHANNELS = 64
 
 
 @dataclass(frozen=True)
@@ -75,7 +76,7 @@ class Problem(Objective):
     common: float = 0.0
     unit: float = 1.0
     _function: FitFunction = field(init=False)
-    _columns: tuple[Floats, ...] = field(init=False)
+    _separated: Separated | None = field(init=False)
     _cosines: Floats = field(init=False)
     _targets: Floats = field(init=False)
     _roots: Floats = field(init=False)
@@ -86,15 +87,32 @@ class Problem(Objective):
         own += [name for name, value in self.fixed.items() if np.size(value) > 1]
         fitted = [q.name for q in self.quantities]
         function = residual_function(self.model, fitted, horizon=False, squared=squared, per_channel=own)
+        made = separated(self.model, fitted, squared=squared, per_channel=own) if self.loss.is_linear else None
         cosines = np.ascontiguousarray(self.wi[:, 2])
         for name, value in (
             ("_function", function),
-            ("_columns", tuple(column[:, 0] for column in function.geometry(self.wi, self.wo))),
+            ("_separated", made),
             ("_cosines", cosines),
             ("_targets", self.loss.transform(directions_last(self.values), cosines)),
             ("_roots", np.sqrt(directions_last(self.weights))),
         ):
             object.__setattr__(self, name, value)
+
+    @cached_property
+    def _columns(self) -> tuple[Floats, ...]:
+        return tuple(column[:, 0] for column in self._function.geometry(self.wi, self.wo))
+
+    @cached_property
+    def _by_functions(self) -> ByFunctions | None:
+        """The sums of a fit in another way; None where the model, the loss or the weights do not allow it."""
+        made, roots = self._separated, self._roots
+        if made is None or self.robust.name != "none" or self.values.ndim != 2 or not (roots[1:] == roots[0]).all():
+            return None
+        fixed, columns, sure = made.geometry(self.wi, self.wo)
+        if made.clamped and not sure:
+            return None
+        slope = self.loss.slope(np.zeros(()), self._cosines)
+        return ByFunctions(made, fixed, columns, roots[0] * slope, roots * self._targets, self.layout)
 
     @property
     def channels(self) -> int:
@@ -143,7 +161,7 @@ class Problem(Objective):
     def _with(self, **changes: Any) -> Self:
         """A copy with other attributes, what is computed of the directions among them; without what was found so far."""
         other = copy(self)
-        for name in ("_brightness", "_last"):
+        for name in ("_brightness", "_last", "_by_functions"):
             other.__dict__.pop(name, None)
         for name, value in changes.items():
             object.__setattr__(other, name, value)
@@ -154,16 +172,23 @@ class Problem(Objective):
         return self._with(robust=robust, scale=scale)
 
     def at_directions(self, rows: NDArray[np.intp]) -> Self:
-        return self._with(
+        kept: dict[str, Any] = {}  # what is known of the directions; what is not yet may never be asked for
+        if "_columns" in self.__dict__:
+            kept["_columns"] = tuple(column.take(rows) if len(column) > 1 else column for column in self._columns)
+        if self.__dict__.get("_by_functions") is not None:
+            kept["_by_functions"] = self.__dict__["_by_functions"].at_directions(rows)
+        other = self._with(
             wi=self.wi[rows],
             wo=self.wo[rows],
             values=self.values.take(rows, axis=-2),
             weights=self.weights.take(rows, axis=-2),
-            _columns=tuple(column.take(rows) if len(column) > 1 else column for column in self._columns),
             _cosines=self._cosines[rows],
             _targets=self._targets.take(rows, axis=-1),
             _roots=self._roots.take(rows, axis=-1),
         )
+        other.__dict__.pop("_columns", None)
+        other.__dict__.update(kept)
+        return other
 
     def counting(self, times: Floats) -> Self:
         return self._with(weights=self.weights * times[:, None], _roots=self._roots * np.sqrt(times))
@@ -207,6 +232,8 @@ class Problem(Objective):
         return self._normal(x, sets)
 
     def _normal(self, x: Floats, sets: NDArray[np.intp] | None) -> Normal:
+        if sets is None and self._by_functions is not None:
+            return self._by_functions.normal(self._by_channel(x), len(x))
         results = self._mapped(lambda rows: self._normal_part(x, rows, sets), len(x))
         if len(results) == 1:
             return Normal(*results[0])
@@ -218,6 +245,9 @@ class Problem(Objective):
 
     def _predicted(self, x: Floats) -> Floats:
         """The same as (C, N)."""
+        by = self._by_functions
+        if by is not None:
+            return self.once("predicted", x, lambda: by.predicted(self._by_channel(x[None])))
         return self.once(
             "predicted", x, lambda: np.concatenate(self._mapped(lambda rows: self._f(x, rows), 1), axis=-1)
         )
@@ -256,6 +286,8 @@ class Problem(Objective):
         ``inverse`` is the inverse of `curvature`, h = J inverse J' the leverage of a sample, psi its (robust) weighted
         residual: MacKinnon and White's HC3 (1985).  It needs no assumption that the noise is the same everywhere, or
         goes with the weights."""
+        if sets is None and self._by_functions is not None:
+            return self._by_functions.spread(self._by_channel(x[None]), inverse)
         parts = self._mapped(lambda rows: self._spread_part(x[None], inverse, rows, sets), 1)
         return np.asarray(np.sum(parts, axis=0))
 
@@ -287,37 +319,10 @@ class Problem(Objective):
     def refitted(
         self, x: Floats, points: Floats, held: NDArray[np.bool_], *, max_iterations: int, reduction: float
     ) -> Floats:
-        """See `Objective.refitted`; of many channels by how much the objective of some rises.
-
-        What is held is fitted again among the channels that it belongs to and some others, evenly spaced, which weigh as much as
-        all: what all share would move too far for one channel alone, and not at all if it were held.  Good to a factor of two.
-        """
-        even = even_channels(self.weights)
-        if even is None:
+        """See `Objective.refitted`; of many channels by how much the objective of some rises."""
+        rise = rise_among_channels(self, x, points, held, max_iterations, reduction)
+        if rise is None:
             return super().refitted(x, points, held, max_iterations=max_iterations, reduction=reduction)
-        touched = np.zeros((len(points), self.channels), bool)
-        for q in self.quantities:
-            if q.per_channel:
-                touched |= held[:, q.where] | (points[:, q.where] != x[q.where])
-        few = touched.sum(axis=1) <= 1
-        rise = np.empty(len(points))
-        alone = np.flatnonzero(few)
-        for rows in (np.flatnonzero(~few), *(alone[k : k + CHANNELS] for k in range(0, len(alone), CHANNELS))):
-            if not len(rows):
-                continue
-            own = np.flatnonzero(touched[rows].any(axis=0) & few[rows[0]])
-            others = np.setdiff1d(even, own)
-            among = np.union1d(others, own)
-            share = np.count_nonzero(self.weights) / np.count_nonzero(self.weights[..., others])
-            part = self.some_channels(among)
-            part = replace(part, weights=part.weights * np.where(np.isin(among, own), 1.0, share))
-            ends = part.solve(
-                np.stack([self.at_channels(row, among) for row in (x, *points[rows])]),
-                held=np.stack([self.at_channels(row, among) for row in (np.zeros(self.size, bool), *held[rows])]),
-                max_iterations=max_iterations,
-                reduction=reduction,
-            ).normal.objective
-            rise[rows] = ends[1:] - ends[0]
         return np.asarray(self.normal(x[None]).objective + rise)
 
     def _normal_part(self, x: Floats, rows: slice, sets: NDArray[np.intp] | None) -> tuple[Floats, Floats, Floats]:
@@ -374,6 +379,11 @@ class Problem(Objective):
         held = {k: v if np.ndim(v) == 0 else directions_last(np.asarray(v)) for k, v in self.fixed.items()}
         return given | held
 
+    def _by_channel(self, x: Floats) -> dict[str, Any]:
+        """Parameters (B, C) or (B, 1), and those that are held."""
+        held = {k: v if np.ndim(v) == 0 else np.asarray(v)[0] for k, v in self.fixed.items()}
+        return {q.name: x[:, q.where] for q in self.quantities} | held
+
     def _rows(self, rows: slice) -> tuple[Floats, ...]:
         return tuple(column[rows] if len(column) > 1 else column for column in self._columns)
 
@@ -388,13 +398,3 @@ class Problem(Objective):
     def layout(self) -> ChannelLayout:
         """Where what acts on a channel stands in the parameter vector."""
         return ChannelLayout(self.quantities, self.channels)
-
-
-def even_channels(used: NDArray[Any]) -> NDArray[np.intp] | None:
-    """Channels that stand for all of those with samples, `used` (..., C) being true for a sample; None where all are taken."""
-    if used.shape[-1] <= 2 * CHANNELS:
-        return None
-    usable = np.flatnonzero(used.any(axis=tuple(range(used.ndim - 1))))
-    if len(usable) <= 2 * CHANNELS:
-        return None
-    return usable[np.linspace(0, len(usable) - 1, CHANNELS).round().astype(np.intp)]

@@ -117,6 +117,7 @@ def prepare(data: Measurement, model: str | BRDF | Parsed, wishes: Wishes, lenie
     every = bool(used.all())
     used = slice(None) if every else used  # no copies of large data
     wi, wo = (data.wi, data.wo) if every else (data.wi[used], data.wo[used])
+    wi.setflags(write=False), wo.setflags(write=False)  # so that what is found out about them is kept
     values = (data.values if full.all() else np.where(full > 0, data.values, 0.0))[:, used]
     full = full[:, used]
     if not values.any():

@@ -13,8 +13,11 @@ import numpy as np
 
 from motes.directions import above
 from motes.fitting.advice import about_choice
+from motes.fitting.channels_among_many import even_channels
 from motes.fitting.choice import CANDIDATES, bic, is_auto
 from motes.fitting.climbing import climb, even_rows
+from motes.fitting.data_passes import beside
+from motes.fitting.direction_blocks import blocks_of
 from motes.fitting.estimating import estimated
 from motes.fitting.judgement import Contender, judged
 from motes.fitting.levenberg import FIRST_DAMPING
@@ -22,7 +25,7 @@ from motes.fitting.losses import ROBUST, Floats
 from motes.fitting.metrics import chi_square, deviation, distances, relative_rms
 from motes.fitting.nested import Found, nearer
 from motes.fitting.plausibility import implausible_fit
-from motes.fitting.problem import Problem, even_channels
+from motes.fitting.problem import Problem
 from motes.fitting.result import Fit, FittedParameter, Progress, Trial
 from motes.fitting.scaled import NAME, Scaled, in_units
 from motes.fitting.setup import Wishes, check_enough, prepare
@@ -111,8 +114,12 @@ class _Attempt:
         below: Sequence[Found] = (),
     ) -> None:
         self.data, self.wishes = data, wishes
+        # What needs no fit is found out beside it: what is odd about the data, and the blocks of their directions.
+        self.doubts = beside(data, lambda: implausible(data))
         self.brdf, start, self.problem, self.factor = prepare(data, model, wishes, lenient)
         check_enough(self.problem.samples, self.problem.size, self.brdf)
+        wi, wo = self.problem.directions
+        self.blocks = beside(data, lambda: blocks_of(wi, wo))
         if near is not None and len(near) != self.problem.size:
             near = None  # of other channels
         self.below = below if near is not None else (*below, *self._base())
@@ -232,6 +239,8 @@ class _Attempt:
         return self.problem.model.with_parameters(values)
 
     def result(self, tried: tuple[Trial, ...], started: float, progress: Progress | None = None) -> Fit:
+        if self.wishes.errors != "independent":
+            self.blocks.result()
         bars, errors, between = estimated(
             self.problem, self.x, self.wishes.errors, self.data.provenance, self.factor is not None, progress
         )
@@ -286,4 +295,6 @@ class _Attempt:
             seconds=clock.perf_counter() - started,
             errors=bars,
         )
-        return replace(result, findings=(*implausible(data), *implausible_fit(result)))
+        odd = implausible_fit(result)
+        self.doubts.result()
+        return replace(result, findings=(*implausible(data), *odd))

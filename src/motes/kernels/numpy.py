@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from motes import workers
 from motes.graph import tracing
 from motes.graph.tracing import Symbol
 from motes.kernels.parameters_alone import NUMBERS, Alone, Results, found
@@ -38,7 +39,7 @@ NUMPY = Target(
 BLOCK = 8192
 # The bit of parameters that each channel has for itself, where that is known; and from how many operations on parameters alone they are a function.
 _OF_CHANNELS, _WORTH_A_FUNCTION = 4, 32
-_HEADER = "from numpy import arcsin, cos, exp, expm1, log, log1p, maximum, minimum, sin, sqrt, where\n"
+HEADER = "from numpy import arcsin, cos, exp, expm1, log, log1p, maximum, minimum, sin, sqrt, where\n"
 
 
 def function(name: str, arguments: Sequence[str], body: Sequence[str], results: Sequence[str]) -> str:
@@ -52,7 +53,7 @@ def scalar_function(
 ) -> Callable[..., tuple[Any, ...]]:
     """A function of numbers (or arrays) that computes `results`, straight from memory."""
     body, texts = statements(NUMPY, results, arguments)
-    namespace = compiled(f"{_HEADER}\n\n{function(name, list(arguments.values()), body, texts)}", name)
+    namespace = compiled(f"{HEADER}\n\n{function(name, list(arguments.values()), body, texts)}", name)
     made: Callable[..., tuple[Any, ...]] = namespace[name]
     return made
 
@@ -76,7 +77,7 @@ def function_of_numbers(
                 ZeroDivisionError,
                 ValueError,
             ):  # NumPy goes on with an infinity or a NaN, which `where` may leave out
-                over_arrays[:] = over_arrays or [compiled(f"{_HEADER}\n\n{text}", name)[name]]
+                over_arrays[:] = over_arrays or [compiled(f"{HEADER}\n\n{text}", name)[name]]
                 return over_arrays[0](*map(np.float64, given))
 
     return made
@@ -127,23 +128,7 @@ class FitFunction:
 
     def geometry(self, wi: NDArray[Any], wo: NDArray[Any]) -> Columns:
         """Everything that depends on the directions ``wi, wo`` (N, 3) alone: float64 arrays (N, 1)."""
-        wi, wo = np.asarray(wi, np.float64), np.asarray(wo, np.float64)
-        count = len(wi)
-        with np.errstate(all="ignore"):
-            columns = self._geometry(*_axes(wi[:BLOCK], wo[:BLOCK]))
-            if count <= BLOCK:
-                return columns
-            # In one array: the system hands out memory of some megabytes in large pages, and many small ones take as long as what is computed.
-            long = [len(column) == BLOCK for column in columns]
-            room = iter(np.empty((sum(long), count, 1)))
-            whole = tuple(next(room) if own else column for own, column in zip(long, columns, strict=True))
-            for first in range(0, count, BLOCK):  # whose intermediate results stay in cache
-                rows = slice(first, first + BLOCK)
-                columns = self._geometry(*_axes(wi[rows], wo[rows])) if first else columns
-                for own, column, part in zip(long, whole, columns, strict=True):
-                    if own:
-                        column[rows] = part
-        return whole
+        return in_blocks(self._geometry, wi, wo)
 
     def values(self, geometry: Columns, parameters: Mapping[str, Any]) -> Any:
         """The BRDF [1/sr].
@@ -169,6 +154,36 @@ class FitFunction:
         with np.errstate(all="ignore"):
             f, *derivatives = self._both(geometry, parameters)
         return f, dict(zip(self.fitted, derivatives, strict=True))
+
+
+def in_blocks(made: Callable[..., Columns], wi: NDArray[Any], wo: NDArray[Any]) -> Columns:
+    """What a function makes of the six components of directions ``wi, wo`` (N, 3): float64 arrays (N, 1), or (1, 1)."""
+    wi, wo = np.asarray(wi, np.float64), np.asarray(wo, np.float64)
+    count = len(wi)
+    with np.errstate(all="ignore"):
+        columns = made(*_axes(wi[:BLOCK], wo[:BLOCK]))
+        if count <= BLOCK:
+            return columns
+        # In one array: the system hands out memory of some megabytes in large pages, and many small ones take as long as what is computed.
+        long = [len(column) == BLOCK for column in columns]
+        room = iter(np.empty((sum(long), count, 1)))
+        whole = tuple(next(room) if own else column for own, column in zip(long, columns, strict=True))
+
+    def filled(block: int, _: None) -> None:
+        rows = slice(block * BLOCK, (block + 1) * BLOCK)
+        with np.errstate(all="ignore"):  # intermediate results stay in cache
+            parts = made(*_axes(wi[rows], wo[rows])) if block else columns
+        for own, column, part in zip(long, whole, parts, strict=True):
+            if own:
+                column[rows] = part
+
+    workers.spread(-(-count // BLOCK), filled, lambda: None)
+    return whole
+
+
+def directions_of(made: Callable[..., tuple[Any, ...]]) -> Callable[..., Columns]:
+    """The function with numbers among its results as arrays (1, 1)."""
+    return lambda *axes: tuple(part if np.ndim(part) else np.full((1, 1), float(part)) for part in made(*axes))
 
 
 def _axes(wi: NDArray[np.float64], wo: NDArray[np.float64]) -> list[NDArray[np.float64]]:
@@ -224,7 +239,7 @@ def _generate(trace: tracing.Trace, fitted: tuple[str, ...], per_channel: frozen
     writer = _Writer(trace, columns, per_channel)
     geometry = writer.compiled(function("geometry", axes, body, results), "geometry")
     formulas = writer.formula("values", [output]), writer.formula("values_and_jacobian", both)
-    return FitFunction(tuple(leaves), fitted, "\n\n".join([_HEADER, *writer.source]), geometry, *formulas)
+    return FitFunction(tuple(leaves), fitted, "\n\n".join([HEADER, *writer.source]), geometry, *formulas)
 
 
 class _Writer:
@@ -239,7 +254,7 @@ class _Writer:
     def compiled(self, text: str, name: str) -> Callable[..., Any]:
         """A function as it works on arrays."""
         self.source.append(text)
-        made: Callable[..., Any] = compiled(f"{_HEADER}\n\n{text}", "fit function")[name]
+        made: Callable[..., Any] = compiled(f"{HEADER}\n\n{text}", "fit function")[name]
         return made
 
     def formula(self, name: str, outputs: Sequence[Symbol]) -> _Formula:
