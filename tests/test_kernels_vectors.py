@@ -38,6 +38,26 @@ def run(source, stride, end, first, target):
 def call(source, stride, end, first, target):
     run(source, stride, end, first, target)
 """
+SUMS = '''
+LANES, RUN = 16, 128
+
+def run(columns, row, data, samples, totals):
+    program = """columns row data samples totals
+x = row data F sample*16
+c = splat columns F sample
+one = const 1.0
+{cut}y = mul x c
+big = lt one y
+{cut}z = where big y one
+sum0 = mul z c
+{cut}sum1 = add z x
+"""
+    return vectors.sums(LANES, RUN, 2, 1, program, columns, row, data, samples, totals)
+
+@kernel
+def call(columns, row, data, samples, totals):
+    run(columns, row, data, samples, totals)
+'''
 scalars = pytest.mark.parametrize("scalar", ["float32", "float64"])
 
 
@@ -104,3 +124,19 @@ def test_vectors_on_the_stack_lie_within_cache_lines() -> None:
     text = lowered(ROWS.format(lines="a = row x F 0\nput y F 0 a", letter="F")).text
     (head,) = (line for line in text.splitlines() if "@run(" in line and line.startswith("define"))
     assert "alignstack(64)" in head
+
+
+@pytest.mark.parametrize("samples", [5, 16, 150])
+def test_sums_in_parts_are_those_of_the_whole(samples: int) -> None:
+    rng = np.random.default_rng(2)
+    columns, data = (rng.uniform(0.5, 2, shape).astype(np.float32) for shape in (samples, (samples, LANES)))
+    found = []
+    for cut in ("", "cut\n"):
+        totals = np.ones((2, LANES))
+        call = engine.module(SUMS.format(cut=cut), "sums").call
+        call(columns.ctypes.data, samples, data.ctypes.data, samples, totals.ctypes.data)
+        found.append(totals)
+    z = np.where(data * columns[:, None] > 1, data * columns[:, None], 1)
+    exact = 1 + np.array([(z * columns[:, None]).sum(0, dtype=float), (z + data).sum(0, dtype=float)])
+    np.testing.assert_allclose(found[1], exact, rtol=1e-5)
+    assert np.array_equal(found[0], found[1])

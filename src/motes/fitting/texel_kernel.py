@@ -25,7 +25,8 @@ from motes.fitting.texel_cards import OnDevice, Wanted
 from motes.fitting.texel_columns import Sampled
 from motes.fitting.texel_setup import TexelSetup
 from motes.graph import tracing
-from motes.kernels import engine
+from motes.kernels import engine, jobs
+from motes.kernels.assembly import LINE
 from motes.models import describe
 from motes.trends import KINDS
 
@@ -330,10 +331,10 @@ class Kernel:
                 at(holds) + 8 * first * held_step, held_step, at(units) + 8 * first * noise_step, noise_step,
                 limit, leave, every, close, at(raw.values) + 4 * first * size, at(raw.errors) + 4 * first * size, at(raw.codes) + first * size,
                 at(raw.covariances) + 4 * first * triangle if triangle else 0,
-                0 if out is None else at(out) + 4 * first * given, at(room),
+                0 if out is None else at(out) + 4 * first * given, jobs.aligned(room),
             )  # fmt: skip
 
-        workers.spread(-(-len(data) // together), work, lambda: np.empty(self.items))
+        workers.spread(-(-len(data) // together), work, lambda: np.empty(self.items + LINE // 8))
 
 
 def _every(fit: TexelSetup) -> int:

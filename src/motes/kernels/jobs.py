@@ -257,11 +257,11 @@ class Job:
     def spread(self, tasks: int, work: Callable[[int, int], None], more: int = 0) -> None:
         """The same for any number of tasks."""
         items = self._items + more + LINE // self.scalar.itemsize
-        workers.spread(tasks, lambda task, room: work(task, _aligned(room)), lambda: np.empty(items, self.scalar))
+        workers.spread(tasks, lambda task, room: work(task, aligned(room)), lambda: np.empty(items, self.scalar))
 
 
-def _aligned(room: Array) -> int:
-    """Where in memory a cache line begins."""
+def aligned(room: Array) -> int:
+    """Where in an array's memory the first whole cache line begins: vectors across two lines take twice as long to read."""
     return -(-address(room) // LINE) * LINE
 
 

@@ -16,6 +16,7 @@ A program becomes vector instructions as it stands: no compiler has to find out 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 from motes.kernels.assembly import DOUBLE, FLOAT, WORD, Builder, Value, number, scalar, vector
 from motes.kernels.machine_code import vector_bytes
@@ -23,6 +24,7 @@ from motes.kernels.vector_functions import Lanes
 
 TOGETHER = 8  # lanes for which a program over rows is run at a time: a vector of AVX-512 in float64
 LONG = 800  # lines of a program over long rows, 40 bytes of instructions each for two vectors
+AT_ONCE = 16  # samples for which a part of a long program is done before the next part
 PIECE = 8  # numbers that `transposed` reads at once from a lane's memory
 
 
@@ -55,26 +57,82 @@ def sums(builder: Builder, lanes: int, run: int, count: int, step: int, program:
     The program leaves its `count` terms for `step` samples that follow each other in ``sum0 sum1 ...``.  It may use ``sample``, the first of
     them, in indices: ``columns F 3*row+sample+1``.  Arguments are columns, row, constants, data, samples and totals, where
     results are added.
+
+    A line ``cut`` divides a long program: what is above it is done for `AT_ONCE` samples before what is below, and what that needs waits in the
+    nearest cache.  A processor has registers for each part, and several samples of a short part in work at once.
     """
     names, lines = _parsed(program)
     given = dict(zip(names, arguments, strict=True))
     writer = _Writer(builder, lanes, "F", given)
     narrow, wide = vector(lanes, FLOAT), vector(lanes, DOUBLE)
     totals = [builder.place(narrow) for _ in range(count)]
-    samples = given["samples"]
+    samples, parts = given["samples"], _parts(lines)
+    waiting = builder.place(f"[{sum(len(part.left) for part in parts) * AT_ONCE or 1} x {narrow}]")
+
+    def least(a: Value, b: Value) -> Value:
+        return builder.select(builder.compared("slt", a, b), a, b)
+
+    def place(name: str, item: Value) -> Value:
+        at = builder.binary("add", item, number(WORD, AT_ONCE * places[name]))
+        return builder.value("ptr", f"getelementptr {narrow}, ptr {waiting.text}, i64 {at.text}")
+
+    places, truths = dict[str, int](), set[str]()
     with builder.loop(number(WORD, 0), samples, run) as first:
         for total in totals:
             builder.store(number(narrow, 0.0), total)
-        end = builder.binary("add", first, number(WORD, run))
-        last = builder.select(builder.compared("slt", end, samples), end, samples)
-        with builder.loop(first, last, step) as sample:
-            values = writer.run(lines, {"sample": sample})
-            for k, total in enumerate(totals):
-                builder.store(builder.binary("fadd", builder.load(narrow, total), values[f"sum{k}"]), total)
+        last = least(builder.binary("add", first, number(WORD, run)), samples)
+        with builder.loop(first, last, AT_ONCE if len(parts) > 1 else run) as start:
+            stop = least(builder.binary("add", start, number(WORD, AT_ONCE)), last) if len(parts) > 1 else last
+            for part in parts:
+                with builder.loop(start, stop, step) as sample:
+                    item = builder.binary("sub", sample, start)
+                    known = {name: builder.load(narrow, place(name, item)) for name in part.taken}
+                    for name in truths.intersection(known):
+                        known[name] = builder.compared("une", known[name], writer.number(0.0))
+                    values = writer.run(part.lines, {"sample": sample}, known)
+                    for name in part.left:
+                        places[name], value = len(places), values[name]
+                        if value.kind == writer.truth:
+                            truths.add(name)
+                            value = builder.select(value, writer.number(1.0), writer.number(0.0))
+                        builder.store(value, place(name, item))
+                    for k, total in enumerate(totals):
+                        if f"sum{k}" in values:
+                            builder.store(builder.binary("fadd", builder.load(narrow, total), values[f"sum{k}"]), total)
         for k, total in enumerate(totals):
-            place = writer.place("totals", "D", str(k * lanes), {})
+            at = writer.place("totals", "D", str(k * lanes), {})
             new = builder.turned("fpext", builder.load(narrow, total), wide)
-            builder.store(builder.binary("fadd", builder.load(wide, place, 8), new), place, 8)
+            builder.store(builder.binary("fadd", builder.load(wide, at, 8), new), at, 8)
+
+
+class _Part(NamedTuple):
+    """A part of a program: its lines, and the names that it takes from parts before and leaves for those after."""
+
+    lines: list[list[str]]
+    taken: list[str]
+    left: list[str]
+
+
+def _parts(lines: list[list[str]]) -> list[_Part]:
+    """A program as divided by ``cut``; what can be read again is."""
+    found: list[list[list[str]]] = [[]]
+    for line in lines:
+        if line == ["cut"]:
+            found.append([])
+        else:
+            found[-1].append(line)
+    again = {
+        line[0]: line for part in found for line in part if line[1] == "=" and line[2] in ("row", "splat", "const")
+    }
+    made = [{line[0] for line in part if line[1] == "="} for part in found]
+    taken = list[list[str]]()
+    for k, part in enumerate(found):
+        used = dict.fromkeys(name for line in part for name in line[3:] if name not in made[k])
+        found[k] = [again[name] for name in used if name in again] + part
+        taken.append([name for name in used if any(name in names for names in made[:k]) and name not in again])
+    later = [set[str]().union(*taken[k + 1 :]) for k in range(len(found))]
+    left = [sorted(names & after) for names, after in zip(made, later, strict=True)]
+    return [_Part(*items) for items in zip(found, taken, left, strict=True)]
 
 
 def stretch(builder: Builder, most: int, letter: str, program: str, *arguments: Value) -> None:

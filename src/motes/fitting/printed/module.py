@@ -114,8 +114,8 @@ def module(fit: NormalEquations, coefficients: Coefficients, bounds: Columns) ->
     own = Rows("own", "D", {model.noise: size})  # after what is held
     leverage = Rows("leverage", "D").put(model.leverage)
 
-    def sums(name: str, integrands: Sequence[Symbol], constants: Rows) -> str:
-        return sum_function(name, model.data.leaves, integrands, columns, constants)
+    def sums(name: str, integrands: Sequence[Symbol], constants: Rows, stages: Sequence[Sequence[Symbol]] = ()) -> str:
+        return sum_function(name, model.data.leaves, integrands, columns, constants, stages=stages)
 
     parts = [
         lane_function(
@@ -131,7 +131,7 @@ def module(fit: NormalEquations, coefficients: Coefficients, bounds: Columns) ->
         sums("sums_at", fit.sums, narrow)
         if fit.tables is None
         else lane_function("series_at", [parameters, opened, shared], [Target("summed", "D", fit.tables.values)]),
-        sums("closing_sums", fit.closing, closing),
+        sums("closing_sums", fit.closing, closing, fit.stages),
         lane_function("normal_at", [wide, own, opened, summed, shared], [Target("normal", "D", algebra)]),
         *([] if coefficients.static else trend_functions(coefficients, _apart(fit))),
         *step_functions(size, fit.form),

@@ -12,7 +12,7 @@ from typing import Protocol
 
 from motes.fitting.printed.formulas import packed
 from motes.fitting.printed.normal import NormalEquations, Sums
-from motes.fitting.printed.traced import SUMS, Traced, total
+from motes.fitting.printed.traced import SUMS, Closing, Traced, total
 from motes.graph import separation, tracing
 from motes.graph.tracing import PARAMETERS, Symbol
 
@@ -79,7 +79,7 @@ class Separated:
         fixed = frozenset(f for f in functions if not _varies(f, model))
         return cls(tuple(residuals), tuple(all_rows), slopes, fixed, tuple(channels))
 
-    def closing(self, model: Traced) -> tuple[Symbol, ...]:
+    def closing(self, model: Traced) -> Closing:
         """What is summed at the solution (`Traced.closing`), of the functions; texels that a clamp touches are fitted otherwise.
 
         Here are most of the operations of a fit, so a channel's own parameter is taken out of the terms that it is a factor of: what remains is
@@ -239,7 +239,7 @@ def moments(model: Traced) -> NormalEquations | None:
         return None
     sums = _Summed(model, parts.fixed)
     assembled = Assembled.of(model, parts, sums)
-    opening, moving = sums.opening, sums.moving
+    opening, moving, closing = sums.opening, sums.moving, parts.closing(model)
     return NormalEquations(
         form="moments",
         model=model,
@@ -253,7 +253,8 @@ def moments(model: Traced) -> NormalEquations | None:
         gradient=assembled.gradient,
         matrix=assembled.matrix,
         curving=(),
-        closing=parts.closing(model),
+        closing=closing.sums,
+        stages=closing.stages,
     )
 
 

@@ -79,6 +79,8 @@ class NormalEquations:
     closing
         What is summed at the solution: squared residuals, their squares, the gradient, the middle of the sandwich (packed), and 1 where a clamp of the model
         acts that moments leave out.
+    stages
+        What `closing` is made of, one stage after the other: residuals and their derivatives, and what weighs them.
     tables
         Of the form ``"series"``.
     """
@@ -96,6 +98,7 @@ class NormalEquations:
     matrix: tuple[Symbol, ...]
     curving: tuple[Symbol, ...]
     closing: tuple[Symbol, ...]
+    stages: tuple[tuple[Symbol, ...], ...]
     tables: Tables | None = None
 
     def cost(self) -> int:
@@ -156,6 +159,7 @@ def direct(model: Traced) -> NormalEquations:
     size = len(model.parameters)
     opening = model.opening()
     opened = tuple(graph.leaf(f"opening[{k}]") for k in range(len(opening)))
+    closing = model.closing(graph.constant(0.0))
     return NormalEquations(
         form="direct",
         model=model,
@@ -169,5 +173,6 @@ def direct(model: Traced) -> NormalEquations:
         gradient=tuple(rest[:size]),
         matrix=tuple(rest[size:]),
         curving=tuple(curving),
-        closing=model.closing(graph.constant(0.0)),
+        closing=closing.sums,
+        stages=closing.stages,
     )

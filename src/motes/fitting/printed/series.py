@@ -290,6 +290,7 @@ def series(model: Traced, sample: Sampler, bounds: Mapping[Symbol, tuple[float, 
         return None
     leaves = model.leaves | dict.fromkeys((*opening.leaves, *sums.leaves, *sums.numbers), SUMS)
     leaves |= dict.fromkeys(sums.columns, DIRECTIONS)
+    closing = parts.closing(model)
     return NormalEquations(
         form="series",
         model=model,
@@ -303,7 +304,8 @@ def series(model: Traced, sample: Sampler, bounds: Mapping[Symbol, tuple[float, 
         gradient=assembled.gradient,
         matrix=assembled.matrix,
         curving=(),
-        closing=parts.closing(model),
+        closing=closing.sums,
+        stages=closing.stages,
         tables=Tables(
             parameter,
             coordinate.low,

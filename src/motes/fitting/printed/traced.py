@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from motes.fitting.covariance import LEAST_REMAINDER
 from motes.fitting.losses import Loss, Robust
@@ -71,6 +72,13 @@ class Data:
         values = tuple(value - offset for value, offset in zip(measured, offsets, strict=True))
         weights = (raw[0].graph.constant(1.0),) * len(raw)
         return cls(tuple(raw), tuple(raw), tuple(raw), (0.0,) * len(raw), values, weights, tuple(measured))
+
+
+class Closing(NamedTuple):
+    """What is summed at a solution, and what that is made of in stages: see `motes.fitting.printed.normal.NormalEquations`."""
+
+    sums: tuple[Symbol, ...]
+    stages: tuple[tuple[Symbol, ...], ...]
 
 
 @dataclass(frozen=True)
@@ -229,16 +237,20 @@ class Traced:
         clamped: Symbol,
         residuals: Sequence[Symbol] | None = None,
         jacobian: Sequence[dict[Symbol, Symbol]] | None = None,
-    ) -> tuple[Symbol, ...]:
+    ) -> Closing:
         """See `motes.fitting.printed.normal.NormalEquations`; residuals and derivatives may be given in another form."""
         residuals = self.residuals() if residuals is None else residuals
         jacobian = self.jacobian() if jacobian is None else jacobian
         squares = [r * r for r in residuals]
         gradient = self.gradient(residuals, jacobian)
-        return (total(squares), total([s * s for s in squares]), *gradient, *self.middle(residuals, jacobian), clamped)
+        weights, middle = self.middle(residuals, jacobian)
+        sums = (total(squares), total([s * s for s in squares]), *gradient, *middle, clamped)
+        return Closing(sums, ((*residuals, *(s for row in jacobian for s in row.values()), clamped), weights))
 
-    def middle(self, residuals: Sequence[Symbol], jacobian: Sequence[dict[Symbol, Symbol]]) -> list[Symbol]:
-        """Squared residuals over what their leverage leaves of them, times J J' (packed): the middle of the sandwich (HC3).
+    def middle(
+        self, residuals: Sequence[Symbol], jacobian: Sequence[dict[Symbol, Symbol]]
+    ) -> tuple[tuple[Symbol, ...], list[Symbol]]:
+        """The squares of residuals over what their leverage leaves of them, and these times J J' (packed): the middle of the sandwich (HC3).
 
         It takes most of the last pass.  What all channels share is computed once, leverages as Horner's nested sums, and one division serves
         several channels.
@@ -256,7 +268,8 @@ class Traced:
             left.append(graph.maximum(1.0 - leverage, LEAST_REMAINDER))
             wanted.append(r)
         scaled = [r * inverse for r, inverse in zip(wanted, inverses(left), strict=True)]
-        return self._weighed(jacobian, [s * s for s in scaled])
+        weights = tuple(s * s for s in scaled)
+        return weights, self._weighed(jacobian, weights)
 
     def _leverage(self, row: dict[Symbol, Symbol], order: Sequence[int]) -> Symbol:
         """J' C J of a channel with `leverage` as C; what stands last in `order` is added up first."""

@@ -146,6 +146,7 @@ def _sums(lines: list[str], count: int, step: int) -> list[str]:
         "const word last = least(first + RUN, samples);",
         f"for (word sample = first; sample < last; sample += {step}) {{",
     ]
+    lines = [line for line in lines if line != "cut"]  # one thread is one lane: registers are enough
     inside = _Program("F").lines(lines) + [f"total{k} += sum{k};" for k in range(count)]
     after = [f"((double*)totals)[{k} * LANES + lane] += (double)total{k};" for k in range(count)]
     return [
