@@ -102,6 +102,35 @@ def test_cbrt_is_good_to_an_ulp(scalar: str) -> None:
 
 
 @scalars
+@pytest.mark.parametrize("below", [True, False])
+def test_powers_of_2_are_as_good_as_they_say(scalar: str, below: bool) -> None:
+    rng = np.random.default_rng(5)
+    end, wide = (125.0, np.float64) if scalar == "float32" else (1020.0, np.longdouble)
+    small = 10.0 ** rng.uniform(-30, 0, 40_000)
+    x = np.concatenate([rng.uniform(-end, 0, 40_000), -small, [0.0, -0.5, -1.5]])
+    x = (x if below else np.concatenate([x, -x])).astype(scalar)
+    suffix = "_below" if below else ""
+    found, less = over("exp2" + suffix, x), over("exp2m1" + suffix, x)
+    worst = ulps(found, np.exp2(x.astype(wide)))
+    assert 0.4 < worst < (3.5 if scalar == "float32" else 1.5)
+    worst = ulps(less[x != 0], np.expm1(x[x != 0].astype(wide) * np.log(wide(2))))
+    assert 0.4 < worst < (10 if scalar == "float32" else 2.5)
+
+
+@scalars
+def test_the_edges_of_powers_of_2(scalar: str) -> None:
+    least = -126.0 if scalar == "float32" else -1022.0
+    x = np.array([0.0, least, least - 2, -np.inf, np.nan], scalar)
+    expected = np.array([1.0, 2.0**least, 0.0, 0.0, np.nan], scalar)
+    for suffix in ("_below", ""):
+        np.testing.assert_array_equal(over("exp2" + suffix, x), expected)
+        np.testing.assert_array_equal(over("exp2m1" + suffix, x), expected - 1)
+    x = np.array([1.0, 10.0, 2 - least, np.inf], scalar)
+    np.testing.assert_array_equal(over("exp2", x), np.array([2.0, 1024.0, np.inf, np.inf], scalar))
+    np.testing.assert_array_equal(over("exp2m1", x), np.array([1.0, 1023.0, np.inf, np.inf], scalar))
+
+
+@scalars
 def test_the_edges_of_log1p_and_cbrt(scalar: str) -> None:
     x = np.array([0.0, -1.0, -1.5, np.inf, np.nan], scalar)
     with np.errstate(all="ignore"):

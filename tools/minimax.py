@@ -5,6 +5,7 @@
 Each is the polynomial P of a given degree with the smallest largest |weight(x) (F(x) - P(x))| on an interval:
 
 - exp(r) = 1 + r + r^2 P(r) on |r| <= ln(2)/2, the weight that of a relative error of exp(r) - 1, so that expm1 can share it;
+- 2^r = 1 + r P(r) on |r| <= 1/2, a relative error of 2^r - 1;
 - asin(x) = x + x^3 P(x^2) on 0 <= x <= 0.7072, a relative error of asin(x);
 - sin(x) = x + x^3 P(x^2) and cos(x) = 1 - x^2/2 + x^4 P(x^2) on 0 <= x <= pi/4, relative errors of sin(x) and cos(x);
 - 1/sqrt(pi) - a exp(a^2) erfc(a) = P(t), t = (a - 2)/(a + 2), on 0 <= a <= 6, weighted by the exp(-a^2) that multiplies it in Beckmann's masking.
@@ -65,6 +66,9 @@ def main() -> None:
     def exp_tail(r: mp.mpf) -> mp.mpf:
         return (mp.expm1(r) - r) / (r * r)
 
+    def power(r: mp.mpf) -> mp.mpf:
+        return (2**r - 1) / r
+
     def asin_tail(z: mp.mpf) -> mp.mpf:
         x = mp.sqrt(z)
         return (mp.asin(x) - x) / (x * z)
@@ -86,6 +90,14 @@ def main() -> None:
     half, eighth = mp.log(2) / 2, (mp.pi / 4) ** 2
     fits = (
         ("EXP", exp_tail, lambda r: r * r / abs(mp.expm1(r)), -half, half, {np.float32: 4, np.float64: 9}),
+        (
+            "EXP2",
+            power,
+            lambda r: r / (2**r - 1),
+            mp.mpf("-0.5"),
+            mp.mpf("0.5"),
+            {np.float32: 4, np.float64: 10},
+        ),
         (
             "ASIN",
             asin_tail,

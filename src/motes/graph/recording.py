@@ -31,7 +31,7 @@ def _leaves(
         kinds = (MEAN, *range(channels)) if slot.name in split else (None,)
         for c in kinds:
             suffix = "" if c is None else "[mean]" if c == MEAN else f"[{c}]"
-            parameters.append(TracedParameter(slot.name, c, graph.leaf(slot.name + suffix)))
+            parameters.append(TracedParameter(slot.name, c, graph.leaf(slot.name + suffix), slot.parameter.bounds[0]))
 
     def of(channel: int) -> Parametrised:
         return model.with_parameters({p.slot: p.symbol for p in parameters if p.channel in (None, channel)})

@@ -7,6 +7,7 @@ symbols (`motes.graph.symbols`), what needs what (`motes.graph.dependence`) and 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Any
@@ -49,11 +50,12 @@ MEAN = -1
 
 @dataclass(frozen=True)
 class TracedParameter:
-    """A parameter of a traced model: the name of its slot, the channel it belongs to (None: all of them; `MEAN`), its leaf."""
+    """A parameter of a traced model: its slot's name, the channel it belongs to (None: all; `MEAN`), its leaf, the least value that it may have."""
 
     slot: str
     channel: int | None
     symbol: Symbol
+    least: float = -math.inf
 
     def of(self, value: Any) -> Any:
         """From the value of a slot with the channels on its last axis what the leaf stands for."""
@@ -125,10 +127,10 @@ def trace(model: Parametrised, channels: int = 1, *, horizon: bool = True, squar
     split = split_slots(model, channels)
     parameters: list[TracedParameter] = []
     for slot in model.slots():
-        if slot.name in split:
-            parameters += [TracedParameter(slot.name, c, graph.leaf(f"{slot.name}[{c}]")) for c in range(channels)]
-        else:
-            parameters.append(TracedParameter(slot.name, None, graph.leaf(slot.name)))
+        least = slot.parameter.bounds[0]
+        for c in range(channels) if slot.name in split else (None,):
+            name = slot.name if c is None else f"{slot.name}[{c}]"
+            parameters.append(TracedParameter(slot.name, c, graph.leaf(name), least))
     geometry = Geometry(graph, Vector(*directions[:3]), Vector(*directions[3:]))
     outputs = []
     for c in range(channels):

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from motes.graph import tracing
 from motes.graph.tracing import DIRECTIONS, PARAMETERS, Symbol, Trace, TracedParameter
 from motes.kernels import loops
+from motes.kernels.cheaper import without_division
 
 #: A group has all bits of a float32 but so many in common: 16 groups to each power of two.
 LAST_BITS = 19
@@ -117,7 +118,7 @@ class GroupedKernel(loops.Kernel):
 def grouping(trace: Trace, varying: Collection[str]) -> Grouping | None:
     """The parameter to group texels by, if any is worth it."""
     rows = [p for p in trace.parameters if p.slot in varying]
-    outputs = loops.without_division(trace.outputs, trace.leaves())
+    outputs = without_division(trace.outputs, trace.leaves())
     best: tuple[int, TracedParameter, dict[Symbol, int]] | None = None
     for parameter in rows:
         own = {p.symbol: _GROUP if p is parameter else DIRECTIONS for p in rows}
@@ -155,7 +156,7 @@ def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> GroupedKe
     found = _found(trace, varying)
     more = tuple(TracedParameter(f"group.{k}", None, leaf) for k, leaf in enumerate(found.extras))
     changed = replace(trace, outputs=found.outputs, parameters=(*trace.parameters, *more))
-    kernel = loops.evaluation(changed, varying, scalar)
+    kernel = loops.evaluation(changed, varying, scalar, found.extras)
     place = {leaf: k for k, leaf in enumerate(found.extras)}
     uniform = [symbol for symbol in kernel.constants if symbol not in place]
     columns = [len(uniform) + place[s] if s in place else uniform.index(s) for s in kernel.constants]

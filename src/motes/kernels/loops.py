@@ -12,10 +12,10 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from motes.directions import SMALLEST_COSINE
 from motes.graph import nan, tracing
 from motes.graph.tracing import DIRECTIONS, PARAMETERS, Symbol, Trace, TracedParameter
 from motes.kernels import drivers
+from motes.kernels.cheaper import cheaper, without_division
 from motes.kernels.programs import WORDLESS, computed, intrinsic
 from motes.printing import elementary
 from motes.printing.printer import ARITHMETIC, CALLED, Target, statements
@@ -64,7 +64,7 @@ class Kernel:
     width: int = 0
 
 
-def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
+def evaluation(trace: Trace, varying: Collection[str], scalar: str, held: Collection[Symbol] = ()) -> Kernel:
     """The kernel that evaluates a model, or the density of its samples.
 
     Parameters
@@ -75,12 +75,18 @@ def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
         Slots that have a value for every direction.
     scalar
         ``"float32"`` or ``"float64"``.
+    held
+        Leaves that are read as they are: see `motes.kernels.cheaper`.
     """
-    spoken = WORDLESS.isdisjoint(symbol.op for symbol in tracing.live(trace.outputs))
-    span, constants, rows = _program(trace, varying, scalar) if spoken else _forward(trace, varying)
+    span, constants, rows = _program(trace, varying, scalar, held) if _spoken(trace) else _forward(trace, varying)
     driver = drivers.EVALUATE.format(channels=len(trace.outputs))
     text = module(trace, "Evaluates a reflectance model", scalar, span, driver)
     return Kernel(text, "evaluate", tuple(constants), tuple(rows))
+
+
+def _spoken(trace: Trace) -> bool:
+    """Whether programs of vectors have words for all of it."""
+    return WORDLESS.isdisjoint(symbol.op for symbol in tracing.live(trace.outputs))
 
 
 def table(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
@@ -98,10 +104,12 @@ def sampling(trace: Trace, varying: Collection[str], scalar: str) -> Kernel:
     return Kernel(text, "sample", tuple(constants), tuple(rows))
 
 
-def _program(trace: Trace, varying: Collection[str], scalar: str) -> tuple[str, list[Symbol], list[TracedParameter]]:
+def _program(
+    trace: Trace, varying: Collection[str], scalar: str, held: Collection[Symbol]
+) -> tuple[str, list[Symbol], list[TracedParameter]]:
     """What `_forward` gives, as a program of vectors."""
     rows, bits = inputs_of(trace, varying)
-    outputs = without_division(trace.outputs, bits)
+    outputs = cheaper(trace, bits, held)
     constants = tracing.frontier(outputs, tracing.dependence(outputs, bits), PARAMETERS)
     kind = "F" if scalar == "float32" else "D"
     lines, names = computed(outputs, places(trace, constants, rows, kind), special=words(outputs, inputs(bits)))
@@ -160,7 +168,7 @@ def worth_apart(trace: Trace, varying: Collection[str]) -> bool:
 def _constants(trace: Trace) -> list[Symbol]:
     """What depends on parameters alone."""
     bits = trace.leaves()
-    outputs = without_division(trace.outputs, bits)
+    outputs = cheaper(trace, bits) if _spoken(trace) else without_division(trace.outputs, bits)
     return tracing.frontier(outputs, tracing.dependence(outputs, bits), PARAMETERS)
 
 
@@ -195,32 +203,6 @@ def words(outputs: Sequence[Symbol], leaves: Collection[Symbol]) -> dict[Symbol,
 
 def _constant(value: float | bool) -> str:
     return repr(value) if isinstance(value, bool) else f"F({value!r})"
-
-
-def without_division(outputs: Sequence[Symbol], leaves: Mapping[Symbol, int]) -> list[Symbol]:
-    """Fewer divisions; each change is one rounding more.
-
-    Division by what is constant becomes multiplication by its inverse, one more constant, which is much faster.  1/a + 1/b becomes (a + b) / (a b)
-    where both are clamped cosines.
-    """
-    bits = tracing.dependence(outputs, leaves)
-
-    def rule(symbol: Symbol, args: tuple[Symbol, ...]) -> Symbol | None:
-        if symbol.op == "add" and all(_inverse_of_clamped(a) for a in args):
-            a, b = (quotient.args[1] for quotient in args)
-            return (a + b) / (a * b)
-        if symbol.op != "div" or bits[symbol.args[1]] != PARAMETERS or not bits[symbol] & DIRECTIONS:
-            return None
-        return args[0] * (1.0 / args[1])
-
-    return tracing.rewritten(outputs, rule)
-
-
-def _inverse_of_clamped(symbol: Symbol) -> bool:
-    """Whether this is 1/a of an a that is kept so far from 0 that a product of two of them is a normal number in float32."""
-    if symbol.op != "div" or not symbol.args[0].is_constant(1) or symbol.args[1].op != "maximum":
-        return False
-    return any(a.op == "constant" and a.value >= SMALLEST_COSINE for a in symbol.args[1].args)
 
 
 def inputs_of(trace: Trace, varying: Collection[str]) -> tuple[list[TracedParameter], dict[Symbol, int]]:

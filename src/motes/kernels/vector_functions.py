@@ -18,6 +18,7 @@ from motes.kernels.assembly import Builder, Value, number, scalar, vector
 from motes.printing.elementary import FLOAT32, FLOAT64
 
 _COMPARISONS = {"lt": "olt", "le": "ole", "gt": "ogt", "ge": "oge"}
+_BASE_2 = ("exp2", "exp2m1", "exp2_below", "exp2m1_below")
 # What a third of a number's bits lacks to be the bits of its cube root, to 3 %; and how many of Halley's steps make it exact.
 _THIRD = {"F": 709958130, "D": 715094163 << 32}
 _HALLEY = {"F": 2, "D": 3}
@@ -35,6 +36,7 @@ class Lanes:
         self.precision = FLOAT32 if letter == "F" else FLOAT64
         self.words = vector(lanes, "i32" if letter == "F" else "i64")
         self._exponentials: dict[Value, tuple[Value, Value]] = {}
+        self._powers: dict[tuple[Value, bool], tuple[Value, Value]] = {}
 
     def number(self, value: float) -> Value:
         """The same number in all lanes."""
@@ -62,6 +64,8 @@ class Lanes:
             return self._called("sqrt", args[0])
         if op in ("exp", "expm1"):
             return self._exponential(op, args[0])
+        if op in _BASE_2:
+            return self._base_2(op, args[0])
         if op == "log1p":
             return self._log1p(args[0])
         if op == "cbrt":
@@ -124,6 +128,30 @@ class Lanes:
         bits = b.binary("add", b.turned("bitcast", shifted, self.words), self.whole(p.bias - 1))
         s = b.turned("bitcast", b.binary("shl", bits, self.whole(p.fraction)), self.vector)
         return s, self._fused(self._polynomial(p.exp, r), self._mul(r, r), r)
+
+    def _base_2(self, op: str, x: Value) -> Value:
+        """2^x, or 2^x - 1; ``_below`` where x is known not to be positive, and so needs no upper limit."""
+        name, limited = op.removesuffix("_below"), not op.endswith("_below")
+        if (x, limited) not in self._powers:
+            self._powers[x, limited] = self._power_parts(x, limited)
+        s, fraction = self._powers[x, limited]
+        return self._fused(s, fraction, s if name == "exp2" else self._sub(s, self.number(1.0)))
+
+    def _power_parts(self, x: Value, limited: bool) -> tuple[Value, Value]:
+        """2^k and 2^r - 1, where x = k + r."""
+        b, number, p = self.builder, self.number, self.precision
+        low, high = number(-p.bias), number(p.bias + 0.5 - 2.0**-10)
+        x = b.select(b.compared("olt", x, low), low, x)
+        if limited:  # beyond, the power is infinite: that of the limit itself times two
+            x, beyond = b.select(b.compared("ogt", x, high), high, x), b.compared("ogt", x, high)
+        shifted = self._add(x, number(p.shift))
+        k = self._sub(shifted, number(p.shift))
+        r = self._sub(x, k)
+        bits = b.binary("add", b.turned("bitcast", shifted, self.words), self.whole(p.bias))
+        s = b.turned("bitcast", b.binary("shl", bits, self.whole(p.fraction)), self.vector)
+        if limited:
+            s = b.select(beyond, number(float("inf")), s)
+        return s, self._mul(self._polynomial(p.exp2, r), r)
 
     def _asin_near(self, x: Value) -> Value:
         z = self._mul(x, x)

@@ -228,7 +228,7 @@ class _Writer(Lanes):
         self, lines: list[list[str]], indices: Mapping[str, Value], known: Mapping[str, Value] | None = None
     ) -> dict[str, Value]:
         values: dict[str, Value] = dict(known or {})
-        self._exponentials = {}
+        self._exponentials, self._powers = {}, {}
         for line in lines:
             if line[0] in ("put", "add"):
                 self._store(line[0], line[1], line[2], line[3], values[line[4]], indices)

@@ -47,8 +47,8 @@ class Precision:
         The bits of 1 and of sqrt(1/2), where the fraction that log1p takes begins.
     half_pi
         pi/2 as a sum of numbers, k times each of which but the last is exact for the k that there are.
-    exp, asin, sin, cos, log
-        Coefficients, lowest first; of log, of (log(1 + f) - f + f^2/2) by powers of (f/(2 + f))^2, from fdlibm.
+    exp, exp2, asin, sin, cos, log
+        Coefficients, lowest first; exp2 is that of programs of vectors alone; of log, of (log(1 + f) - f + f^2/2) by powers of (f/(2 + f))^2, from fdlibm.
     """
 
     name: str
@@ -62,6 +62,7 @@ class Precision:
     half_root: int
     half_pi: tuple[float, ...]
     exp: tuple[float, ...]
+    exp2: tuple[float, ...]
     asin: tuple[float, ...]
     sin: tuple[float, ...]
     cos: tuple[float, ...]
@@ -80,6 +81,7 @@ FLOAT32 = Precision(
     half_root=0x3F3504F3,
     half_pi=(1.5703125, 0.0004837513, 7.543713e-08, 6.0771006e-11),
     exp=(0.49999997, 0.16666543, 0.0416672, 0.008366514, 0.0013882522),
+    exp2=(0.6931471, 0.24022351, 0.055505004, 0.009666245, 0.0013333539),
     asin=(0.16666906, 0.07488484, 0.046502333, 0.016388448, 0.07697573, -0.09262575, 0.11132111),
     sin=(-0.16666655, 0.00833216, -0.00019515282),
     cos=(0.041666646, -0.0013887316, 2.4433157e-05),
@@ -107,6 +109,19 @@ FLOAT64 = Precision(
         2.7557407508317533e-06,
         2.7626024212806105e-07,
         2.5053774381819548e-08,
+    ),
+    exp2=(
+        0.6931471805599453,
+        0.24022650695910097,
+        0.055504108664821236,
+        0.009618129107607065,
+        0.0013333558146531644,
+        0.00015403530441481252,
+        1.525273370119972e-05,
+        1.32154427238934e-06,
+        1.0178121306377697e-07,
+        7.072561766172521e-09,
+        4.4455360304847937e-10,
     ),
     asin=(
         0.1666666666666523,
