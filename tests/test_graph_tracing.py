@@ -14,6 +14,7 @@ from motes.directions import Geometry, Vector
 from motes.graph import tracing
 from motes.graph.tracing import Graph, Symbol
 from motes.models import DustLayer, Lambert, OrenNayar, TorranceSparrow
+from motes.models.slants import inverses
 
 entries = pytest.mark.parametrize("entry", ENTRIES, ids=str)
 
@@ -232,6 +233,41 @@ def test_what_is_zero_by_structure_is_absent() -> None:
     assert forward[a] is b
     assert set(tracing.adjoint({product: graph.constant(1.0)}, [a, c])) == {a}
     assert tracing.forward([graph.where(c > 0, 1.0, 2.0)], [c]) == [{}]
+
+
+def test_powers_are_differentiated_without_a_way_through_what_they_are_made_of() -> None:
+    graph = Graph()
+    numbers = [graph.leaf(name) for name in "abcd"]
+    point = dict(zip(numbers, (1.3, 0.4, 2.1, 0.9), strict=True))
+    over = inverses(*numbers)
+    for number, inverse in zip(numbers, over, strict=True):
+        for slopes in (
+            tracing.forward([inverse], numbers)[0],
+            tracing.adjoint({inverse: graph.constant(1.0)}, numbers),
+        ):
+            assert set(slopes) == {number}, "what cancels is absent"
+            (found,) = tracing.evaluate(NUMPY, [slopes[number]], point)
+            assert found == pytest.approx(-1 / point[number] ** 2)
+    a = numbers[0]
+    for product in (a * graph.sqrt(a), graph.sqrt(a) * a):
+        (found,) = tracing.evaluate(NUMPY, [tracing.adjoint({product: graph.constant(1.0)}, [a])[a]], {a: 1.3})
+        assert found == pytest.approx(1.5 * 1.3**0.5)
+
+
+def test_no_leaf_is_passed_over() -> None:
+    """The derivative by a root, a product or an inverse that is named as a leaf is by it alone."""
+    graph = Graph()
+    a, b = graph.leaf("a"), graph.leaf("b")
+    root, one = graph.sqrt(a), graph.constant(1.0)
+    slopes = tracing.adjoint({a * root: one}, [a, root])
+    assert slopes[a] is root
+    assert slopes[root] is a
+    product = a * b
+    inverse = one / product
+    slopes = tracing.adjoint({b * inverse: one}, [product, b])
+    assert slopes[b] is inverse
+    assert set(slopes) == {product, b}
+    assert set(tracing.adjoint({b * inverse: one}, [inverse, a])) == {inverse}
 
 
 def test_the_derivative_by_a_symbol_holds_the_others_fixed() -> None:

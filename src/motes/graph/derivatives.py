@@ -2,18 +2,50 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 from motes.graph.dependence import live
 from motes.graph.symbols import Symbol
 
 # Where a square root or an arc sine has an infinite slope, the derivative is kept finite, so that 0 times it is 0 and not NaN.
 _LEAST_ROOT = 1e-18
+# Places of what is no argument: what a symbol is 1 over, and what it is the power 3/2 of.
+_INVERTED, _THREE_HALVES = -1, -2
+
+
+def _shorter(symbols: Sequence[Symbol], leaves: Collection[Symbol]) -> dict[Symbol, tuple[int, Symbol]]:
+    """Symbols that are a power of one symbol, and how: their derivative leads there without a way through what they are made of.
+
+    Powers are 1/x, a quotient or a known inverse times a factor that it is the inverse of (`motes.models.slants.inverses`), and x sqrt(x).
+    Nothing is passed over that is one of `leaves`.
+    """
+    found: dict[Symbol, tuple[int, Symbol]] = {}
+    for symbol in symbols:
+        if symbol.op == "div" and symbol.args[0].is_constant(1) and symbol not in leaves:
+            found[symbol] = _INVERTED, symbol.args[1]
+        if symbol.op != "mul" or symbol in leaves:
+            continue
+        for factor, other in (symbol.args, symbol.args[::-1]):
+            how, product = found.get(other, (0, symbol))
+            if other.op == "sqrt" and other.args[0] is factor and other not in leaves:
+                found[symbol] = _THREE_HALVES, factor
+            elif how == _INVERTED and product.op == "mul" and factor in product.args and product not in leaves:
+                found[symbol] = _INVERTED, product.args[factor is product.args[0]]
+    return found
+
+
+def _arguments(symbol: Symbol, shorter: Mapping[Symbol, tuple[int, Symbol]]) -> list[tuple[int, Symbol]]:
+    """What the derivative of a symbol goes on to, with its place."""
+    return [shorter[symbol]] if symbol in shorter else list(enumerate(symbol.args))
 
 
 def _through(symbol: Symbol, k: int, t: Symbol) -> Symbol | None:
     """`t` times the derivative of `symbol` by its argument k; None where that is 0.  Forward and adjoint both use this."""
     graph, op, args = symbol.graph, symbol.op, symbol.args
+    if k == _INVERTED:
+        return -(t * symbol * symbol)
+    if k == _THREE_HALVES:
+        return t * (1.5 * args[args[0].op != "sqrt" or args[0].args[0] is not args[1]])
     a, b = args[0], args[-1]
     if op in ("add", "sub"):
         return -t if op == "sub" and k == 1 else t
@@ -50,9 +82,11 @@ def _through(symbol: Symbol, k: int, t: Symbol) -> Symbol | None:
 def forward(outputs: Sequence[Symbol], leaves: Sequence[Symbol]) -> list[dict[Symbol, Symbol]]:
     """Derivatives of every output by every leaf, carried along with the values; what is 0 by structure is absent."""
     tangents: dict[Symbol, dict[Symbol, Symbol]] = {}
-    for symbol in live(outputs):
+    order = live(outputs)
+    shorter = _shorter(order, set(leaves))
+    for symbol in order:
         tangent = {symbol: symbol.graph.constant(1.0)} if symbol in leaves else {}
-        for k, argument in enumerate(symbol.args):
+        for k, argument in _arguments(symbol, shorter):
             for leaf, t in tangents[argument].items():
                 step = _through(symbol, k, t)
                 if step is not None:
@@ -68,6 +102,7 @@ def adjoint(seeds: Mapping[Symbol, Symbol], leaves: Sequence[Symbol]) -> dict[Sy
     """
     order = live(seeds)
     wanted = set(leaves)
+    shorter = _shorter(order, set(leaves))
     for symbol in order:
         if any(a in wanted for a in symbol.args):
             wanted.add(symbol)
@@ -76,7 +111,7 @@ def adjoint(seeds: Mapping[Symbol, Symbol], leaves: Sequence[Symbol]) -> dict[Sy
         t = adjoints.get(symbol)
         if t is None or symbol not in wanted or symbol in leaves:
             continue
-        for k, argument in enumerate(symbol.args):
+        for k, argument in _arguments(symbol, shorter):
             step = _through(symbol, k, t) if argument in wanted else None
             if step is not None and not step.is_constant(0):
                 adjoints[argument] = adjoints[argument] + step if argument in adjoints else step
