@@ -65,6 +65,34 @@ def any_last(truths: Array) -> Array:
     return found
 
 
+# Of many numbers so many are drawn to tell about where one of them would stand; and how far off it may be among the drawn, some three standard deviations.
+_DRAWN, _BESIDE = 2048, 72
+
+
+def sorted_part(numbers: Array, first: int, last: int) -> Array:
+    """What would stand from `first` to `last` if an array (n,) of NumPy's were sorted, in any order.
+
+    Of many numbers a few, evenly drawn, tell between which these are, as a rule, and there are few of those: a quarter of the time of
+    `numpy.partition`, which is asked where they do not.
+    """
+    if len(numbers) >= 4 * _DRAWN:
+        drawn = np.sort(numbers[:: len(numbers) // _DRAWN])
+        each = len(numbers) / len(drawn)
+        low = drawn[max(0, int(first / each - _BESIDE))]
+        high = drawn[min(len(drawn) - 1, int(last / each + _BESIDE))]
+        below = int(np.count_nonzero(numbers < low))
+        between = numbers.compress((numbers >= low) & (numbers <= high))
+        if below <= first <= last < below + len(between):
+            first, last, numbers = first - below, last - below, between
+    return np.partition(numbers, (first, last))[first : last + 1]
+
+
+def median(numbers: Array) -> float:
+    """The median of an array (n,) of NumPy's without NaN, n at least 1."""
+    first, last = (len(numbers) - 1) // 2, len(numbers) // 2
+    return float(sorted_part(numbers, first, last).mean())
+
+
 def _torch() -> SimpleNamespace:
     import torch
 

@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from motes import workers
 from motes.arrays import Array
 
 HALF_PI = 1.5707963267948966
@@ -279,10 +280,13 @@ def half_difference(
 def half_vectors_within(angle: float, wi: NDArray[np.float64], wo: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Where the half vectors of pairs of directions (N, 3) are within an angle below pi/2 [rad] of the normal."""
     found = np.empty(len(wi), bool)
-    for first in range(0, len(wi), AT_ONCE):
-        rows = slice(first, first + AT_ONCE)
+
+    def looked(task: int, _: None) -> None:
+        rows = slice(task * AT_ONCE, (task + 1) * AT_ONCE)
         x, y, z = np.add(wi[rows].T, wo[rows].T, order="C")
         np.greater(z, math.cos(angle) * np.sqrt(x * x + y * y + z * z), out=found[rows])
+
+    workers.spread(-(-len(wi) // AT_ONCE), looked, lambda: None)
     return found
 
 

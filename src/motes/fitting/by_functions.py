@@ -6,12 +6,11 @@ the residuals.  Three channels share them all, and functions without parameters 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple, Self
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from motes.fitting.channel_layout import ChannelLayout
 from motes.fitting.covariance import LEAST_REMAINDER
@@ -21,19 +20,18 @@ from motes.fitting.solver import Normal
 from motes.kernels.separated import Separated
 
 # Elements of a pass that are worked on at a time: few enough that all of them stay in cache.
-CHUNK = 1 << 16
+CHUNK = 1 << 15
 
 
 class _Sums(NamedTuple):
-    """Over samples, for B vectors: products of the M functions with parameters and the residuals of C channels with the others (B, M + C, F) and
-    with themselves (B, M + C, M + C); and what the products of all with those that are clamped have where the clamp acts (B, C, F', F + M + 1), if anywhere."""
+    """Over samples, for B vectors: products of the K functions and the residuals of C channels with each other (B, K + C, K + C); and what the products of
+    those functions that are clamped with all functions and with a residual have where the clamp acts (B, C, F', K + 1), if anywhere."""
 
-    across: Floats
-    within: Floats
+    all: Floats
     clamped: Floats | float
 
     def with_(self, other: _Sums) -> _Sums:
-        return _Sums(self.across + other.across, self.within + other.within, self.clamped + other.clamped)
+        return _Sums(self.all + other.all, self.clamped + other.clamped)
 
 
 @dataclass(frozen=True)
@@ -65,19 +63,6 @@ class ByFunctions:
     def weighted(self) -> Floats:
         return self.fixed * self.weights
 
-    @cached_property
-    def gram(self) -> Floats:
-        return np.asarray(self.weighted @ self.weighted.T)
-
-    def at_directions(self, rows: NDArray[np.intp]) -> Self:
-        return replace(
-            self,
-            fixed=self.fixed.take(rows, axis=1),
-            columns=tuple(column.take(rows) for column in self.columns),
-            weights=self.weights.take(rows),
-            targets=self.targets.take(rows, axis=1),
-        )
-
     def _coefficients(self, parameters: dict[str, Any], batch: int) -> tuple[Floats, Floats]:
         """Of the model (B, C, F + M) and of its derivatives (B, C, F + M, K)."""
         shape = (batch, len(self.targets), self.made.fixed + self.made.mixed)
@@ -90,78 +75,65 @@ class ByFunctions:
                 derivatives[:, :, b, k] = found[q]
         return values, derivatives
 
-    def _both(self, parameters: dict[str, Any], rows: slice, values: Floats) -> tuple[Floats, Floats]:
-        """Functions with parameters and residuals (B, M + C, n), and what is clamped (B, C, n)."""
+    def _rows(self, parameters: dict[str, Any], rows: slice, values: Floats) -> tuple[Floats, Floats]:
+        """All functions and residuals (B, K + C, n), and what is clamped (B, C, n)."""
         made, weights = self.made, self.weights[rows]
-        batch, channels, _ = values.shape
-        both = np.empty((batch, made.mixed + channels, len(weights)))
-        residual = both[:, made.mixed :]
-        for k, b in enumerate(made.functions(tuple(column[rows] for column in self.columns), parameters)):
-            np.multiply(b, weights, out=both[:, k])
+        batch, channels, functions = values.shape
+        whole = np.empty((batch, functions + channels, len(weights)))
         fixed = self.weighted[:, rows]
-        of_clamp = np.matmul(values[:, :, : made.clamped], fixed[: made.clamped])
-        np.subtract(np.maximum(of_clamp, 0.0) if made.clamped else of_clamp, self.targets[:, rows], out=residual)
-        if made.clamped < made.fixed:
-            residual += np.matmul(values[:, :, made.clamped : made.fixed], fixed[made.clamped :])
-        for k in range(made.mixed):
-            q = values[:, :, made.fixed + k, None]
-            if q.any():  # not a slope
-                residual += q * both[:, None, k]
-        return both, of_clamp
+        whole[:, : made.fixed] = fixed
+        for k, b in enumerate(made.functions(tuple(column[rows] for column in self.columns), parameters), made.fixed):
+            np.multiply(b, weights, out=whole[:, k])
+        residual = np.subtract(values @ whole[:, :functions], self.targets[:, rows], out=whole[:, functions:])
+        of_clamp = values[:, :, : made.clamped] @ fixed[: made.clamped]
+        if made.clamped and of_clamp.min() < 0:
+            residual -= np.minimum(of_clamp, 0.0)
+        return whole, of_clamp
 
     def normal(self, parameters: dict[str, Any], batch: int) -> Normal:
         """Objectives and normal equations; `parameters` (B, C) or (B, 1)."""
-        made, (_, count) = self.made, self.targets.shape
+        channels, count = self.targets.shape
         values, derivatives = self._coefficients(parameters, batch)
 
         def part(rows: slice) -> _Sums:
-            both, of_clamp = self._both(parameters, rows, values)
-            fixed = self.weighted[:, rows]
-            across = (both.reshape(-1, both.shape[-1]) @ fixed.T).reshape(*both.shape[:2], len(fixed))
-            clamped: Floats | float = 0.0
-            if made.clamped and of_clamp.min() < 0:
-                clamped = self._where_clamped(both, of_clamp, fixed)
+            whole, of_clamp = self._rows(parameters, rows, values)
+            clamped = self._where_clamped(whole, of_clamp) if of_clamp.size and of_clamp.min() < 0 else 0.0
             # A product with a copy: one with itself goes another way in NumPy, which takes three times as long for so few rows.
-            return _Sums(across, both @ np.swapaxes(both.copy(), 1, 2), clamped)
+            return _Sums(whole @ np.swapaxes(whole.copy(), 1, 2), clamped)
 
         with np.errstate(all="ignore"):
-            parts = in_passes(part, count, batch * len(self.targets), CHUNK)
+            parts = in_passes(part, count, batch * channels, CHUNK)
             sums = parts[0]
             for more in parts[1:]:
                 sums = sums.with_(more)
             return self._assembled(sums, derivatives)
 
-    def _where_clamped(self, both: Floats, of_clamp: Floats, fixed: Floats) -> Floats:
-        made, (batch, channels, _) = self.made, of_clamp.shape
-        found = np.zeros((batch, channels, made.clamped, made.fixed + made.mixed + 1))
+    def _where_clamped(self, whole: Floats, of_clamp: Floats) -> Floats:
+        (batch, channels, _), clamped = of_clamp.shape, self.made.clamped
+        functions = whole.shape[1] - channels
+        found = np.zeros((batch, channels, clamped, functions + 1))
         acts = of_clamp < 0
         lanes, own = np.nonzero(acts.any(axis=2))
-        there = acts[lanes, own][:, None] * fixed[: made.clamped]  # (L, F', n)
-        found[lanes, own, :, : made.fixed] = there @ fixed.T
-        found[lanes, own, :, made.fixed : -1] = there @ np.swapaxes(both[lanes, : made.mixed], 1, 2)
-        found[lanes, own, :, -1] = (there @ both[lanes, made.mixed + own, :, None])[..., 0]
+        there = acts[lanes, own][:, None] * whole[0, :clamped]  # (L, F', n)
+        found[lanes, own, :, :-1] = there @ np.swapaxes(whole[lanes, :functions], 1, 2)
+        found[lanes, own, :, -1] = (there @ whole[lanes, functions + own, :, None])[..., 0]
         return found
 
     def _assembled(self, sums: _Sums, derivatives: Floats) -> Normal:
-        made, (batch, channels, functions, _) = self.made, derivatives.shape
-        f, m, c = made.fixed, made.mixed, made.clamped
-        acts = not isinstance(sums.clamped, float)
-        products = np.empty((batch, channels if acts else 1, functions, functions))
-        products[..., :f, :f] = self.gram
-        products[..., f:, :f] = sums.across[:, None, :m]
-        products[..., :f, f:] = np.swapaxes(sums.across[:, None, :m], 2, 3)
-        products[..., f:, f:] = sums.within[:, None, :m, :m]
-        pushed = np.empty((batch, channels, functions))
-        pushed[..., :f], pushed[..., f:] = sums.across[:, m:], sums.within[:, m:, :m]
-        if acts:
-            gone = np.asarray(sums.clamped)
-            products[..., :c, :] -= gone[..., :-1]
+        _, channels, functions, _ = derivatives.shape
+        products = sums.all[:, None, :functions]  # of functions with functions and residuals
+        own, at = np.arange(channels), np.arange(functions, functions + channels)
+        if not isinstance(sums.clamped, float):
+            gone, c = np.asarray(sums.clamped), self.made.clamped
+            products = np.repeat(products, channels, axis=1)
+            products[..., :c, :functions] -= gone[..., :-1]
             products[..., c:, :c] -= np.swapaxes(gone[..., c:-1], 2, 3)
-            pushed[..., :c] -= gone[..., -1]
-        objective = 0.5 * np.einsum("bcc->b", sums.within[:, m:, m:])
-        along = np.swapaxes(derivatives, 2, 3)
-        gradient = (along @ pushed[..., None])[..., 0]
-        return Normal(objective, self.layout.vector(gradient), self.layout.matrix(along @ (products @ derivatives)))
+            products[:, own, :c, at] -= np.moveaxis(gone[..., -1], 1, 0)
+        along = np.swapaxes(derivatives, 2, 3) @ products  # (B, C, P', K + C)
+        matrix = along[..., :functions] @ derivatives
+        gradient = along[..., functions] if channels == 1 else np.moveaxis(along[:, own, :, at], 0, 1)
+        objective = 0.5 * sums.all.diagonal(0, 1, 2)[:, functions:].sum(axis=1)
+        return Normal(objective, self.layout.vector(gradient), self.layout.matrix(matrix))
 
     def predicted(self, parameters: dict[str, Any]) -> Floats:
         """The BRDF (C, N)."""
@@ -193,17 +165,18 @@ class ByFunctions:
         leverages = derivatives[0] @ own @ along  # (C, F + M, F + M)
 
         def part(rows: slice) -> Floats:
-            both, of_clamp = self._both(parameters, rows, values)
-            whole = np.concatenate([self.weighted[:, rows], both[0, : made.mixed]])
-            found = np.empty((channels, len(whole), len(whole)))
+            (whole,), (of_clamp,) = self._rows(parameters, rows, values)
+            among = len(whole) - channels
+            found = np.empty((channels, among, among))
             for c in range(channels):
-                functions = whole
-                if made.clamped and of_clamp[0, c].min() < 0:
-                    functions = whole.copy()
-                    functions[: made.clamped] *= of_clamp[0, c] >= 0
-                leverage = np.einsum("kn,kn->n", leverages[c] @ functions, functions)
-                scaled = functions * (both[0, made.mixed + c] / np.maximum(1 - leverage, LEAST_REMAINDER))
-                found[c] = scaled @ scaled.T
+                functions = whole[:among]
+                if made.clamped and of_clamp[c].min() < 0:
+                    functions = functions.copy()
+                    functions[: made.clamped] *= of_clamp[c] >= 0
+                along = leverages[c] @ functions
+                along *= functions
+                misses = whole[among + c] / np.maximum(1 - np.add.reduce(along, axis=0), LEAST_REMAINDER)
+                found[c] = (functions * np.square(misses)) @ functions.T
             return found
 
         with np.errstate(all="ignore"):

@@ -59,7 +59,7 @@ def unit_of(values: NDArray[np.floating[Any]], used: NDArray[np.bool_]) -> float
     Raw counts, or values in other units, are far from what a surface reflects; ranges, margins and defaults that are made for surfaces go
     with them.  It is the mean that says that data are dark, and the median that they are bright, since highlights are bright and few.
     """
-    sizes = np.abs(values[used])
+    sizes = np.abs(values if used.all() else values[used])
     mean = np.pi * float(sizes.mean()) if sizes.size else 0.0
     if mean <= 0.5 * BRIGHTEST:  # and so is the median
         return unit_between(mean, mean)

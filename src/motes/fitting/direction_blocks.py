@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes import workers
+from motes.arrays import sorted_part
 from motes.fitting.data_passes import in_slices
 from motes.fitting.losses import Floats
 
@@ -22,8 +23,6 @@ BLOCKS, LEAST_DIRECTIONS = 24, 4
 SAME = 1e-6
 # How far from where a cut should be it is looked for first [pairs].
 WINDOW = 32
-# Of many numbers so many are drawn to tell about where one of them would stand; and how far off it may be among the drawn, some three standard deviations.
-DRAWN, BESIDE = 2048, 72
 # Pairs that are worked on at a time, and from how many on threads share the work.
 AT_ONCE = 8192
 # Of directions that do not change, as those of a measurement, until they go: many fits ask for their blocks.
@@ -115,30 +114,10 @@ def end_of_first(along: Floats, share: float) -> float | None:
     near, far = middle - WINDOW, middle + WINDOW
     if near > LEAST_DIRECTIONS and far < count - LEAST_DIRECTIONS:
         # A cut lies here as a rule, and what is farther off need not be sorted for that: a quarter of the time.
-        some = _around(along, near, far)
-        some = np.partition(along, (near, far))[near : far + 1] if some is None else some
-        found = _nearest_cut(np.sort(some), share * count - near, 1)
+        found = _nearest_cut(np.sort(sorted_part(along, near, far)), share * count - near, 1)
         if found is not None:
             return found
     return _nearest_cut(np.sort(along), share * count, LEAST_DIRECTIONS)
-
-
-def _around(along: Floats, near: int, far: int) -> Floats | None:
-    """The numbers that would stand from `near` to `far` if all were sorted, in any order; None where it takes a look at all.
-
-    A few of them, evenly drawn, tell between which numbers these are, as a rule, and there are few of those: a quarter of the time again.
-    """
-    if len(along) < 4 * DRAWN:
-        return None
-    drawn = np.sort(along[:: len(along) // DRAWN])
-    each = len(along) / len(drawn)
-    low = drawn[max(0, int(near / each - BESIDE))]
-    high = drawn[min(len(drawn) - 1, int(far / each + BESIDE))]
-    below = int(np.count_nonzero(along < low))
-    between = along.compress((along >= low) & (along <= high))
-    if not below <= near <= far < below + len(between):
-        return None
-    return np.partition(between, (near - below, far - below))[near - below : far - below + 1]
 
 
 def _nearest_cut(sorted_: Floats, target: float, least: int) -> float | None:

@@ -12,6 +12,7 @@ import numpy as np
 from motes.errors import DataError
 from motes.fitting.alike import FEWEST, count_of_blocks
 from motes.fitting.columns import Columns, in_own_units
+from motes.fitting.data_passes import in_slices
 from motes.fitting.direction_blocks import LEAST_DIRECTIONS, Labels, blocks_of
 from motes.fitting.losses import Floats
 from motes.fitting.objective import Objective
@@ -130,15 +131,20 @@ def together(misses: Floats, labels: Labels) -> bool:
     """
     largest = max(float(misses.max(initial=0.0)), -float(misses.min(initial=0.0)), 1e-300)
     count = int(labels.max(initial=0)) + 1
-    of_directions, of_blocks = np.zeros((2, 3)), np.zeros((2, 3, count))
-    for first in range(0, len(labels), AT_ONCE):
-        part, own = misses[:, first : first + AT_ONCE], labels[first : first + AT_ONCE]
-        for k, r in enumerate((part / largest, np.nan_to_num(np.sign(part)))):
+
+    def part(rows: slice) -> tuple[Floats, Floats]:
+        some, own = misses[:, rows], labels[rows]
+        of_directions, of_blocks = np.empty((2, 3)), np.empty((2, 3, count))
+        for k, r in enumerate((some / largest, np.nan_to_num(np.sign(some)))):
             squared = np.square(r)
             sums, squares = (np.einsum("tnc->n", power) for power in (r, squared))
             fourths = squares if k else np.einsum("tnc->n", np.square(squared))  # of signs they are the squares
-            of_directions[k] += _excess(sums, squares, fourths)
-            of_blocks[k] += [np.bincount(own, power, count) for power in (sums, squares, fourths)]
+            of_directions[k] = _excess(sums, squares, fourths)
+            of_blocks[k] = [np.bincount(own, power, count) for power in (sums, squares, fourths)]
+        return of_directions, of_blocks
+
+    parts = in_slices(part, len(labels), AT_ONCE)
+    of_directions, of_blocks = (sum(each, start=np.zeros(())) for each in zip(*parts, strict=True))
     for found in (*of_directions, *(_excess(*blocks) for blocks in of_blocks)):
         excess, squares_squared, fourths_ = found
         if excess > BEYOND * math.sqrt(2 * max(0.0, squares_squared - fourths_)) + 1e-12:

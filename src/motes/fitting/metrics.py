@@ -44,7 +44,7 @@ def distances(fitted: Floats, measured: Floats, cosines: Floats) -> dict[str, fl
     parts = in_slices(squares, len(fitted), BLOCK)
     sums = dict(zip(LOSSES, map(sum, zip(*parts, strict=True)), strict=True)) if parts else dict.fromkeys(LOSSES, 0.0)
     found = {f"rms_{name}": math.sqrt(total / fitted.size) if fitted.size else math.nan for name, total in sums.items()}
-    return {"relative_rms": relative_rms(fitted, measured)} | found
+    return {"relative_rms": found["rms_plain"] / max(rms(measured), 1e-300)} | found
 
 
 def deviation(residuals: NDArray[np.floating[Any]], unit: float = 1.0) -> Floats:

@@ -29,12 +29,12 @@ from motes.fitting.objective import Objective
 from motes.fitting.quantities import Quantity, columns_for
 from motes.fitting.solver import Normal
 from motes.kernels.numpy import FitFunction, residual_function
-from motes.kernels.separated import Separated, separated
+from motes.kernels.separated import Seen, Separated, separated
 from motes.models import BRDF
 
 Part = TypeVar("Part")
 Vector = TypeVar("Vector", Floats, NDArray[np.bool_])
-# Elements (parameter sets x samples x channels) worked on at a time: few enough that a pass stays in cache, enough that NumPy's overhead does not show.
+# Elements (parameter sets x samples x channels) of a pass worked on at a time: few enough for the cache, enough that NumPy's overhead does not show.
 CHUNK = 1 << 17
 
 
@@ -108,11 +108,22 @@ class Problem(Objective):
         made, roots = self._separated, self._roots
         if made is None or self.robust.name != "none" or self.values.ndim != 2 or not (roots[1:] == roots[0]).all():
             return None
-        fixed, columns, sure = made.geometry(self.wi, self.wo)
+        fixed, columns, sure = self._functions
         if made.clamped and not sure:
             return None
         slope = self.loss.slope(np.zeros(()), self._cosines)
         return ByFunctions(made, fixed, columns, roots[0] * slope, roots * self._targets, self.layout)
+
+    @cached_property
+    def _functions(self) -> Seen:
+        assert self._separated is not None
+        return self._separated.geometry(self.wi, self.wo)
+
+    def seen_from(self, whole: Problem, rows: NDArray[np.intp]) -> None:
+        """Take what depends on the directions alone from a problem of the same model at more of them."""
+        if whole._by_functions is not None and self._separated is not None:
+            fixed, columns, sure = whole._functions
+            self.__dict__["_functions"] = Seen(fixed.take(rows, 1), tuple(c.take(rows) for c in columns), sure)
 
     @property
     def channels(self) -> int:
@@ -152,11 +163,10 @@ class Problem(Objective):
 
     def labels(self, channels: tuple[str, ...]) -> tuple[str, ...]:
         """A name for each fitted value: ``K_d[R]``, ``sigma_d``."""
-        return tuple(
-            f"{q.name}[{channel}]" if q.per_channel else q.name
-            for q in self.quantities
-            for channel in (channels if q.per_channel else ("",))
+        names = (
+            [f"{q.name}[{channel}]" for channel in channels] if q.per_channel else [q.name] for q in self.quantities
         )
+        return tuple(name for some in names for name in some)
 
     def _with(self, **changes: Any) -> Self:
         """A copy with other attributes, what is computed of the directions among them; without what was found so far."""
@@ -172,22 +182,19 @@ class Problem(Objective):
         return self._with(robust=robust, scale=scale)
 
     def at_directions(self, rows: NDArray[np.intp]) -> Self:
-        kept: dict[str, Any] = {}  # what is known of the directions; what is not yet may never be asked for
-        if "_columns" in self.__dict__:
-            kept["_columns"] = tuple(column.take(rows) if len(column) > 1 else column for column in self._columns)
-        if self.__dict__.get("_by_functions") is not None:
-            kept["_by_functions"] = self.__dict__["_by_functions"].at_directions(rows)
         other = self._with(
-            wi=self.wi[rows],
-            wo=self.wo[rows],
+            wi=self.wi.take(rows, axis=0),
+            wo=self.wo.take(rows, axis=0),
             values=self.values.take(rows, axis=-2),
             weights=self.weights.take(rows, axis=-2),
             _cosines=self._cosines[rows],
             _targets=self._targets.take(rows, axis=-1),
             _roots=self._roots.take(rows, axis=-1),
         )
-        other.__dict__.pop("_columns", None)
-        other.__dict__.update(kept)
+        other.__dict__.pop("_functions", None)
+        if "_columns" in self.__dict__:  # what is not known of the directions yet may never be asked for
+            other.__dict__["_columns"] = tuple(c.take(rows) if len(c) > 1 else c for c in self._columns)
+        other.seen_from(self, rows)
         return other
 
     def counting(self, times: Floats) -> Self:
@@ -245,16 +252,16 @@ class Problem(Objective):
 
     def _predicted(self, x: Floats) -> Floats:
         """The same as (C, N)."""
-        by = self._by_functions
-        if by is not None:
-            return self.once("predicted", x, lambda: by.predicted(self._by_channel(x[None])))
-        return self.once(
-            "predicted", x, lambda: np.concatenate(self._mapped(lambda rows: self._f(x, rows), 1), axis=-1)
-        )
+
+        def everywhere() -> Floats:
+            if self._by_functions is not None:
+                return self._by_functions.predicted(self._by_channel(x[None]))
+            return np.concatenate(self._mapped(lambda rows: self._f(x[None], rows)[0], 1), axis=-1)
+
+        return self.once("predicted", x, everywhere)
 
     def _f(self, x: Floats, rows: slice) -> Floats:
-        f: Floats = self._broadcast(self._function.values(self._rows(rows), self._arguments(x[None])), rows)[0]
-        return f
+        return self._broadcast(self._function.values(self._rows(rows), self._arguments(x)), rows, len(x))
 
     def residuals(self, x: Floats) -> Floats:
         """Weighted residuals (N, C) for one parameter vector (P,); 0 where masked."""
@@ -264,8 +271,7 @@ class Problem(Objective):
         """Weighted residuals (B, C, N) for parameter vectors (B, P), each of its data set."""
 
         def part(rows: slice) -> Floats:
-            f = self._broadcast(self._function.values(self._rows(rows), self._arguments(x)), rows, len(x))
-            apart = self.loss.transform(f, self._cosines[rows]) - self._data(self._targets, rows, sets)
+            apart = self.loss.transform(self._f(x, rows), self._cosines[rows]) - self._data(self._targets, rows, sets)
             return np.asarray(self._data(self._roots, rows, sets) * apart)
 
         return np.concatenate(self._mapped(part, len(x)), axis=-1)
@@ -283,19 +289,16 @@ class Problem(Objective):
     def spread(self, x: Floats, inverse: Floats, sets: NDArray[np.intp] | None = None) -> Floats:
         """The middle of the sandwich estimator (P, P): the sum of (psi / (1 - h))^2 J' J for one parameter vector.
 
-        ``inverse`` is the inverse of `curvature`, h = J inverse J' the leverage of a sample, psi its (robust) weighted
-        residual: MacKinnon and White's HC3 (1985).  It needs no assumption that the noise is the same everywhere, or
-        goes with the weights."""
+        ``inverse`` is that of `curvature`, h = J inverse J' the leverage of a sample, psi its (robust) weighted residual: MacKinnon
+        and White's HC3 (1985), which does not ask whether the noise is the same everywhere, or goes with the weights."""
         if sets is None and self._by_functions is not None:
             return self._by_functions.spread(self._by_channel(x[None]), inverse)
         parts = self._mapped(lambda rows: self._spread_part(x[None], inverse, rows, sets), 1)
         return np.asarray(np.sum(parts, axis=0))
 
     def curvature(self, x: Floats, sets: NDArray[np.intp] | None = None) -> Floats:
-        """The expected second derivative (P, P) of the objective at one parameter vector, for standard errors.
-
-        It is the Gauss-Newton matrix for least squares.  Under a robust function the matrix that makes good steps is
-        larger than that: it leaves out that a residual counts less as it grows."""
+        """The expected second derivative (P, P) of the objective at one parameter vector, for standard errors: the Gauss-Newton matrix; under a robust
+        function less than the matrix that makes good steps, which leaves out that a residual counts less as it grows."""
         if self.robust.name == "none":
             matrix: Floats = self.normal(x[None], sets).matrix[0]
             return matrix
@@ -310,9 +313,8 @@ class Problem(Objective):
         def part(rows: slice) -> Floats:
             _, jacobian = self.linearised(x[None], rows, sets)
             push = self._data(moved, rows, sets)
-            return np.asarray(
-                self.layout.vector(np.einsum("bcnk,bcn->bck", jacobian, push.reshape(1, *push.shape[-2:])))[0]
-            )
+            pushed = np.einsum("bcnk,bcn->bck", jacobian, push.reshape(1, *push.shape[-2:]))
+            return np.asarray(self.layout.vector(pushed)[0])
 
         return np.asarray(np.sum(self._mapped(part, 1), axis=0))
 
@@ -375,12 +377,10 @@ class Problem(Objective):
         return array[:, rows] if array.ndim == 2 else array[slice(None) if sets is None else sets, :, rows]
 
     def _arguments(self, x: Floats) -> dict[str, Floats | float]:
-        given: dict[str, Floats | float] = {q.name: x[:, q.where, None] for q in self.quantities}
         held = {k: v if np.ndim(v) == 0 else directions_last(np.asarray(v)) for k, v in self.fixed.items()}
-        return given | held
+        return {q.name: x[:, q.where, None] for q in self.quantities} | held
 
     def _by_channel(self, x: Floats) -> dict[str, Any]:
-        """Parameters (B, C) or (B, 1), and those that are held."""
         held = {k: v if np.ndim(v) == 0 else np.asarray(v)[0] for k, v in self.fixed.items()}
         return {q.name: x[:, q.where] for q in self.quantities} | held
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from motes.fitting.columns import Columns, columns_of
 from motes.fitting.losses import Floats
@@ -27,9 +28,9 @@ class Quantity(NamedTuple):
         low, high = self.parameter.fit_bounds
         return (low * low, high * high) if self.parameter.squared else (low, high)
 
-    def coordinate(self, value: Floats) -> Floats:
+    def coordinate(self, value: ArrayLike) -> Floats:
         """What a fit moves in: the parameter, or its square where the model depends on nothing else."""
-        return np.square(value) if self.parameter.squared else np.asarray(value, float)
+        return np.asarray(np.square(value) if self.parameter.squared else value, float)
 
     def value(self, coordinate: Floats) -> Floats:
         """The parameter back from its coordinate."""

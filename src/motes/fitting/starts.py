@@ -8,6 +8,7 @@ are where the real fit starts.  Nothing is random from run to run."""
 from __future__ import annotations
 
 import itertools
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -103,24 +104,24 @@ def _spread_out(x: Floats, order: np.ndarray, gridded: np.ndarray) -> np.ndarray
 
 def _grid(grey: Problem) -> Floats:
     axes = []
+    mean = float(np.average(grey.values, weights=grey.weights))
     for q in grey.quantities:
         starts = q.parameter.starts
-        axes.append(tuple(float(q.coordinate(np.array(s))) for s in starts) or (_bright_start(grey, q),))
+        axes.append(tuple(float(q.coordinate(s)) for s in starts) or (_bright_start(grey, q, mean),))
     # Many Fresnel and dust parameters at once: take every second start of the longest axis until the grid is
     # affordable.
-    while np.prod([len(a) for a in axes]) > LARGEST_GRID:
+    while math.prod(len(a) for a in axes) > LARGEST_GRID:
         longest = max(range(len(axes)), key=lambda k: len(axes[k]))
         axes[longest] = axes[longest][::2]
     return np.array(list(itertools.product(*axes)), float)
 
 
-def _bright_start(grey: Problem, q: Quantity) -> float:
-    """A first value for a parameter that enters almost linearly: about the brightness of the data."""
-    mean = float(np.average(grey.values, weights=grey.weights))
+def _bright_start(grey: Problem, q: Quantity, mean: float) -> float:
+    """A first value for a parameter that enters almost linearly: about the brightness of the data, of which this is the mean."""
     low, high = q.bounds
     default = float(grey.columns.rest[q.where.start, 0])
     most = min(high, 1e6 * grey.unit)
-    return float(np.clip(np.pi * mean if q.parameter.role is Role.DIFFUSE_COLOUR else default, low, most))
+    return min(max(np.pi * mean if q.parameter.role is Role.DIFFUSE_COLOUR else default, low), most)
 
 
 def _grey(problem: Problem) -> tuple[Problem, Floats]:
@@ -151,6 +152,7 @@ def _grey(problem: Problem) -> tuple[Problem, Floats]:
         values=values[usable, None],
         weights=total[usable, None],
     )
+    grey.seen_from(problem, usable)
     return grey, brightness
 
 

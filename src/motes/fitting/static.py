@@ -22,7 +22,7 @@ from motes.fitting.estimating import estimated
 from motes.fitting.judgement import Contender, judged
 from motes.fitting.levenberg import FIRST_DAMPING
 from motes.fitting.losses import ROBUST, Floats
-from motes.fitting.metrics import chi_square, deviation, distances, relative_rms
+from motes.fitting.metrics import chi_square, deviation, distances
 from motes.fitting.nested import Found, nearer
 from motes.fitting.plausibility import implausible_fit
 from motes.fitting.problem import Problem
@@ -198,12 +198,8 @@ class _Attempt:
         return self.solution.status[self.solution.best()]
 
     def metrics(self, data: Measurement, predicted: Floats) -> dict[str, float]:
-        mask, cosines = data.mask[0], data.wi[:, 2:3]
-        samples = (predicted, data.values[0], cosines)
-        if not mask.all():
-            samples = tuple(np.broadcast_to(part, mask.shape)[mask] for part in samples)
         return (
-            distances(*samples)
+            (self._distances if data is self.data else _distances(data, predicted))
             | {
                 "objective": self.objective,
                 "bic": self.bic,
@@ -214,16 +210,15 @@ class _Attempt:
         )
 
     @cached_property
-    def relative_rms(self) -> float:
-        mask, values = self.data.mask[0], self.data.values[0]
-        return relative_rms(self.predicted, values) if mask.all() else relative_rms(self.predicted[mask], values[mask])
+    def _distances(self) -> dict[str, float]:
+        return _distances(self.data, self.predicted)
 
     def trial(self) -> Trial:
         return Trial(
             describe(self.brdf),
             self.problem.size,
             self.bic,
-            self.relative_rms,
+            self._distances["relative_rms"],
             self.objective,
             self.status,
             False,
@@ -298,3 +293,11 @@ class _Attempt:
         odd = implausible_fit(result)
         self.doubts.result()
         return replace(result, findings=(*implausible(data), *odd))
+
+
+def _distances(data: Measurement, predicted: Floats) -> dict[str, float]:
+    mask, cosines = data.mask[0], data.wi[:, 2:3]
+    samples = (predicted, data.values[0], cosines)
+    if not mask.all():
+        samples = tuple(np.broadcast_to(part, mask.shape)[mask] for part in samples)
+    return distances(*samples)

@@ -181,11 +181,6 @@ def in_blocks(made: Callable[..., Columns], wi: NDArray[Any], wo: NDArray[Any]) 
     return whole
 
 
-def directions_of(made: Callable[..., tuple[Any, ...]]) -> Callable[..., Columns]:
-    """The function with numbers among its results as arrays (1, 1)."""
-    return lambda *axes: tuple(part if np.ndim(part) else np.full((1, 1), float(part)) for part in made(*axes))
-
-
 def _axes(wi: NDArray[np.float64], wo: NDArray[np.float64]) -> list[NDArray[np.float64]]:
     """The six components (n, 1) of pairs of directions (n, 3), each in one piece."""
     return [np.ascontiguousarray(w[:, k])[:, None] for w in (wi, wo) for k in range(3)]

@@ -9,22 +9,34 @@ from __future__ import annotations
 import keyword
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from motes import workers
 from motes.graph import separation, tracing
 from motes.graph.tracing import DIRECTIONS, PARAMETERS, Symbol
-from motes.kernels.numpy import HEADER, NUMPY, Columns, compiled, directions_of, function, in_blocks
+from motes.kernels.numpy import HEADER, NUMPY, Columns, compiled, function
+from motes.kernels.straight_line import Formula
 from motes.parameters import Parametrised
 from motes.printing.printer import statements
 
 Floats = NDArray[np.float64]
 #: Of more functions, or more that hold parameters, sums of all products take longer than the formula itself.
 MOST, MOST_MIXED = 12, 6
+#: Directions of which functions are made at a time: what is written on the way stays in cache.
+BLOCK = 4096
 #: Functions by their coefficients.
 Combination = dict[Symbol, Symbol]
+
+
+class Seen(NamedTuple):
+    """At N directions: functions without parameters (F, N), columns (N,) that the others are made of; and if factors of what is clamped are never below 0."""
+
+    fixed: Floats
+    columns: Columns
+    sure: bool
 
 
 @dataclass(frozen=True)
@@ -53,19 +65,30 @@ class Separated:
     slots: tuple[str, ...]
     values: tuple[tuple[int, int], ...]
     derivatives: Mapping[str, tuple[tuple[int, int], ...]]
-    _geometry: Callable[..., Columns]
+    _geometry: Formula
+    _columns: int
     _functions: Callable[..., tuple[Any, ...]]
     _coefficients: Callable[..., tuple[Any, ...]]
     _wanted: tuple[str, ...]
 
-    def geometry(self, wi: NDArray[Any], wo: NDArray[Any]) -> tuple[Floats, Columns, bool]:
-        """The functions without parameters (F, N), columns (N,) that the others are made of, and whether what is clamped has a factor below 0 nowhere."""
-        factor, *columns = (column[:, 0] for column in in_blocks(self._geometry, wi, wo))
-        fixed = np.empty((self.fixed, len(wi)))
-        for row, column in zip(fixed, columns, strict=False):
-            row[:] = column
-        rows = (np.ascontiguousarray(np.broadcast_to(column, len(wi))) for column in columns[self.fixed :])
-        return fixed, tuple(rows), bool(factor.min(initial=0.0) >= 0)
+    def geometry(self, wi: NDArray[Any], wo: NDArray[Any]) -> Seen:
+        """What depends on directions (N, 3) alone."""
+        function, numbers, truths = self._geometry.of_rows(np.dtype(np.float64))
+        count = len(wi)
+        whole = np.empty((self._columns, count))
+
+        def filled(block: int, memory: tuple[Floats, NDArray[np.bool_]]) -> None:
+            rows = slice(block * BLOCK, min((block + 1) * BLOCK, count))
+            here = rows.stop - rows.start
+            axes = (np.ascontiguousarray(w[rows, k], float) for w in (wi, wo) for k in range(3))
+            with np.errstate(all="ignore"):
+                function(*(part[:, :here] for part in memory), whole[:, rows], *axes)
+
+        def room() -> tuple[Floats, NDArray[np.bool_]]:
+            return np.empty((numbers, min(BLOCK, count))), np.empty((truths, min(BLOCK, count)), bool)
+
+        workers.spread(-(-count // BLOCK), filled, room)
+        return Seen(whole[1 : 1 + self.fixed], tuple(whole[1 + self.fixed :]), bool(whole[0].min(initial=0.0) >= 0))
 
     def functions(self, columns: Columns, parameters: Mapping[str, Any]) -> tuple[Any, ...]:
         """Those that hold parameters, at columns (n,) for parameters (B, 1)."""
@@ -149,7 +172,6 @@ def _made(trace: tracing.Trace, fitted: tuple[str, ...], per_channel: frozenset[
     texts = {symbol: f"{slot}_" if keyword.iskeyword(slot) else slot for symbol, slot in slots.items()}
     moving = functions[fixed:]
     columns = tracing.frontier(moving, tracing.dependence(moving, leaves), DIRECTIONS)
-    axes = dict(zip(trace.directions, ("ix", "iy", "iz", "ox", "oy", "oz"), strict=True))
     held_by = tuple(slot for symbol, slot in slots.items() if symbol in set(tracing.live(moving)))
     asked = tuple(slot for symbol, slot in slots.items() if symbol in set(tracing.live(coefficients)))
 
@@ -165,7 +187,8 @@ def _made(trace: tracing.Trace, fitted: tuple[str, ...], per_channel: frozenset[
         held_by,
         tuple((at[b], place[q]) for b, q in value.items()),
         {name: tuple((at[b], place[q]) for b, q in row.items()) for name, row in rows.items()},
-        directions_of(written("geometry", [factor, *functions[:fixed], *columns], axes, list(axes.values()))),
+        Formula(trace.directions, (), [[factor, *functions[:fixed], *columns]]),
+        1 + fixed + len(columns),
         written("functions", moving, texts | as_columns, [*as_columns.values(), *(texts[by_slot[s]] for s in held_by)]),
         written("coefficients", coefficients, texts, [texts[by_slot[s]] for s in asked]),
         asked,

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes import directions
-from motes.arrays import any_last
+from motes.arrays import any_last, median
 from motes.measurements.fillers import fillers
 from motes.measurements.measurement import Measurement
 
@@ -59,9 +59,10 @@ def _reflected(data: Measurement) -> Floats:
             use = data.mask[t, :, c] if weighted else data.mask[t, :, c] & away
             if np.count_nonzero(use) < FEWEST:
                 continue
-            v = data.values[t, use, c]
+            v = data.values[t, :, c].compress(use)
             share = (data.weights * cosines)[use] if weighted else None
-            result[t, c] = np.pi * (np.median(v) if share is None else float(v @ share) / float(share.sum()))
+            middle = float(v @ share) / float(share.sum()) if share is not None else median(v)
+            result[t, c] = np.pi * middle
     return result
 
 
@@ -238,7 +239,7 @@ def _one_number(values: Floats) -> bool:
 def _rows(data: Measurement) -> list[str]:
     """Rows that stand there twice, values and all."""
     t = int(np.argmax(data.mask.any(axis=(1, 2))))
-    usable = data.mask[t].any(axis=1)
+    usable = any_last(data.mask[t])
     if not FEWEST <= np.count_nonzero(usable) <= MOST_REPEATED:
         return []
     rows = np.concatenate([data.wi, data.wo, data.values[t]], axis=1)[usable]

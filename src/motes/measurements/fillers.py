@@ -24,7 +24,7 @@ def fillers(data: Measurement) -> list[str]:
     found: list[str] = []
     for said in (_zeros, _far):
         for c in range(data.n_channels):
-            values = data.values[..., c][data.mask[..., c]]
+            values = data.values[..., c].ravel().compress(data.mask[..., c].ravel())
             if len(values) >= FEWEST and (sentence := said(values, data.channels[c], data)):
                 found.append(sentence)
                 break
@@ -55,7 +55,7 @@ def _step(levels: Floats) -> float:
 
 def _far(values: Floats, channel: str, data: Measurement) -> str:
     largest = float(values.max())
-    others = values[values < largest]
+    others = values.compress(values < largest)
     if len(others) < FEWEST - 1 or largest <= 0:
         return ""
     next_largest = float(others.max())
