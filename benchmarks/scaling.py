@@ -1,10 +1,11 @@
 """How the fit of a map scales over worker processes, and what a task costs the scheduler.
 
-usage: python benchmarks/scaling.py [--size 384] [--times 4] [--repeat 5] [--tasks 10000] [--json]
+usage: python benchmarks/scaling.py [--size 512] [--times 4] [--repeat 5] [--tasks 10000] [--json]
 
 Efficiency: a map is fitted by 1 and by 2 workers of one thread in turn, and the ratio is the median time of one over twice the median time of two; kernels
-are compiled and loaded before.  Scheduler: a scheduler in a process of its own hands out tasks that do nothing; its processor time and memory are those the
-kernel counts.  Both on loopback.  The machine must be idle and have two cores free.
+are compiled and loaded before.  Two processes that share the blocks without a scheduler show what the machine itself allows.  Scheduler: a scheduler in a
+process of its own hands out tasks that do nothing; its processor time and memory are those the kernel counts.  Both on loopback.  The machine must be idle
+and have two cores free.
 """
 
 from __future__ import annotations
@@ -17,16 +18,21 @@ import subprocess
 import sys
 import tempfile
 import time
+from concurrent.futures import ProcessPoolExecutor
 from contextlib import ExitStack
+from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
+import places
 from motes import maps
 from motes.maps import cluster
-from motes.maps.work import DONE, Outcome
+from motes.maps.fitted import open_fitted
+from motes.maps.work import DONE, Outcome, work_on
 
 MODEL = "oren_nayar + torrance_sparrow"
 WORKERS = (1, 2)
+KINDS = ("workers", "processes")
 
 
 def nothing(path: str, run: str, block: tuple[int, int]) -> Outcome:
@@ -44,30 +50,62 @@ def seconds(client: Any, fitted: maps.FittedMap, blocks: list[tuple[int, int]], 
     return took
 
 
+def alone(path: str, run: str, blocks: list[tuple[int, int]]) -> None:
+    """Blocks in a process that no scheduler tells what to do."""
+    for block in blocks:
+        assert work_on(path, run, block).kind == DONE
+
+
+def told(environment: dict[str, str]) -> None:
+    """What a new process learns first."""
+    os.environ.update(environment)
+
+
+def started(stack: ExitStack) -> ProcessPoolExecutor:
+    """A process of one thread, as a worker's."""
+    pool = ProcessPoolExecutor(1, get_context("spawn"), told, (cluster.ENVIRONMENT,))
+    stack.callback(pool.shutdown)
+    return pool
+
+
+def of_processes(pools: list[ProcessPoolExecutor], fitted: maps.FittedMap, blocks: list[tuple[int, int]]) -> float:
+    """How long processes take that share the blocks from the first."""
+    path, run, count = str(fitted.path), f"{time.time_ns()}", len(pools)
+    began = time.perf_counter()
+    for done in [pool.submit(alone, path, run, blocks[k::count]) for k, pool in enumerate(pools)]:
+        done.result()
+    return time.perf_counter() - began
+
+
 def efficiency(size: int, times: int, repeat: int) -> dict[str, Any]:
-    """Times with one and with two workers, in turn."""
-    with tempfile.TemporaryDirectory() as folder, ExitStack() as stack:
-        source = maps.simulate_map(Path(folder) / "map.zarr", (size, size), times=times, chunk=64)
-        out = Path(folder) / "fit.zarr"
-        fitted = maps.fit_map(source, MODEL, out=out, block=(64, 64))  # compiles, finds starts
+    """Times with one and with two workers, and with one and with two processes alone, in turn; each fills a store of its own."""
+    with places.fresh() as folder, ExitStack() as stack:
+        source = maps.simulate_map(folder / "map.zarr", (size, size), times=times, chunk=64)
+        fitted = maps.fit_map(source, MODEL, out=folder / "fit.zarr")  # compiles, finds starts
         reference = fitted.read_map("K_d").tobytes()
         blocks = list(fitted.blocks)
         clients = {n: cluster._client(stack, None, n) for n in WORKERS}
-        for n, client in clients.items():
-            seconds(client, fitted, blocks[: 2 * n])  # loads the kernels
-        taken: dict[int, list[float]] = {n: [] for n in WORKERS}
-        for _ in range(repeat):
+        pools = [started(stack) for _ in range(max(WORKERS))]
+        taken: dict[str, dict[int, list[float]]] = {kind: {n: [] for n in WORKERS} for kind in KINDS}
+        for k in range(1 + repeat):  # the first round loads the kernels
             for n, client in clients.items():
-                taken[n].append(seconds(client, fitted, blocks))
-        assert maps.open_map(out).read_map("K_d").tobytes() == reference
-        one, two = (statistics.median(taken[n]) for n in WORKERS)
+                for kind in KINDS:
+                    out = open_fitted(places.emptied(fitted.path, folder / f"{kind}-{n}-{k}.zarr"), mode="r+")
+                    if kind == "workers":
+                        took = seconds(client, out, blocks)
+                    else:
+                        took = of_processes(pools[:n], out, blocks)
+                    assert out.read_map("K_d").tobytes() == reference
+                    if k:
+                        taken[kind][n].append(took)
         fits = size * size * times
+        middle = {kind: {n: statistics.median(taken[kind][n]) for n in WORKERS} for kind in KINDS}
         return {
             "fits": fits,
             "blocks": len(blocks),
             "seconds": taken,
-            "fits_per_second": {n: fits / statistics.median(taken[n]) for n in WORKERS},
-            "efficiency": one / (2 * two),
+            "fits_per_second": {kind: {n: fits / middle[kind][n] for n in WORKERS} for kind in KINDS},
+            "efficiency": {kind: middle[kind][1] / (2 * middle[kind][2]) for kind in KINDS},
         }
 
 
@@ -121,7 +159,7 @@ def scheduler_load(tasks: int) -> dict[str, Any]:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--size", type=int, default=384)
+    parser.add_argument("--size", type=int, default=512)
     parser.add_argument("--times", type=int, default=4)
     parser.add_argument("--repeat", type=int, default=5)
     parser.add_argument("--tasks", type=int, default=10_000)
@@ -133,9 +171,10 @@ def main() -> None:
         return
     m, s = result["map"], result["scheduler"]
     print(f"{m['fits']:,} fits in {m['blocks']} blocks, workers of one thread, medians of {a.repeat}")
-    for n in WORKERS:
-        print(f"  {n} worker{'s' if n > 1 else ' '}  {m['fits_per_second'][n]:10,.0f} fits/s")
-    print(f"  efficiency from 1 to 2: {m['efficiency']:.2f}")
+    for kind in KINDS:
+        for n in WORKERS:
+            print(f"  {n} {kind}: {m['fits_per_second'][kind][n]:10,.0f} fits/s")
+        print(f"  efficiency from 1 to 2: {m['efficiency'][kind]:.2f}")
     print(f"{s['tasks']:,} tasks that do nothing, 2 workers: {s['tasks_per_second']:,.0f} tasks/s")
     print(
         f"  scheduler: {s['scheduler_cpu_ms_per_task']:.2f} ms of processor a task, {s['scheduler_memory_mib']:.0f} MiB"

@@ -316,13 +316,21 @@ def test_growth_is_an_exponent() -> None:
 
 def test_scaling_is_judged_by_rounds() -> None:
     pytest.importorskip("distributed")
-    maps = {"fits": 1000, "blocks": 4, "seconds": {1: [2.0, 4.0, 9.0], 2: [1.25, 2.0, 9.0]}}
+    workers, processes = {1: [2.0, 4.0, 9.0], 2: [1.25, 2.0, 9.0]}, {1: [2.0, 2.0, 2.0], 2: [1.0, 1.0, 1.0]}
+    maps = {"fits": 1000, "blocks": 4, "seconds": {"workers": workers, "processes": processes}}
     names = ("tasks", "tasks_per_second", "scheduler_cpu_ms_per_task", "scheduler_memory_mib")
     estimates = ("estimated_scheduler_cpu_minutes_for_1e6", "workers_kept_busy_with_blocks_of_2_s")
     section = module("scale_out").report(maps, dict.fromkeys((*names, *estimates), 7.0), 3)
-    assert section.figures["efficiency"].median == 0.8  # of 0.8, 1, 0.5
+    assert section.figures["workers_efficiency_2"].median == 0.8  # of 0.8, 1, 0.5
+    assert section.figures["processes_efficiency_2"].median == 1
     assert not section.goals[0].met(section.figures)
-    assert section.figures["rate_2"].median == 500
+    assert section.figures["workers_rate_2"].median == 500
+    assert [row[0] for row in section.tables[0].rows] == [
+        "1 worker",
+        "2 workers",
+        "1 process alone",
+        "2 processes alone",
+    ]
     assert "7.00 minutes" in section.filled(section.reading[1])
 
 
@@ -411,3 +419,18 @@ def test_the_engine_is_what_is_measured() -> None:
     rivals = module("rivals")
     assert engine.available()
     assert sum(np.size(slot.value) for slot in rivals.SURFACE.slots()) == rivals.PARAMETERS
+
+
+def test_files_are_made_in_a_place_of_their_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    places = module("places")
+    monkeypatch.setattr(places, "FOLDER", tmp_path / "places")
+    with places.fresh() as folder:
+        assert folder.parent == tmp_path / "places"
+        assert 0 < places.a_file(folder) < 1e5
+        store = folder / "store"
+        for name in ("K_d/c/0", "time/c"):
+            (store / name).mkdir(parents=True)
+            (store / name / "0").touch()
+        copied = places.emptied(store, folder / "copy")
+        assert sorted(str(p.relative_to(copied)) for p in copied.rglob("*")) == ["K_d", "time", "time/c", "time/c/0"]
+    assert not folder.exists()

@@ -20,6 +20,8 @@ LEAST_IN_FLIGHT, MOST_IN_FLIGHT = 2, 4
 # Seconds: to reach a scheduler; between two looks at who is there; without any worker before the run is given up.
 CONNECT, LOOK, PATIENCE = 10.0, 1.0, 120.0
 TOO_MANY_DEATHS = "its worker died again and again, perhaps for want of memory"
+#: Of the processes that are started here, of one thread each: the kernels' own threads, and those of Zarr's codecs, would share the cores a second time.
+ENVIRONMENT = {"NUMBA_NUM_THREADS": "1", "ZARR_THREADING__MAX_WORKERS": "1"}
 #: Times that a block is submitted again because its result died with the worker that held it.
 AGAIN = 3
 
@@ -152,8 +154,6 @@ def _client(stack: ExitStack, scheduler: str | None, workers: int | None) -> Any
         security = Security.temporary()
     except ImportError:
         raise MissingExtraError("cryptography", "scale", "Work on several processes") from None
-    # One thread a process: the kernels' own threads, and those of Zarr's codecs, would share the cores a second time.
-    environment = {"NUMBA_NUM_THREADS": "1", "ZARR_THREADING__MAX_WORKERS": "1"}
     try:
         cluster = LocalCluster(
             n_workers=workers,
@@ -163,7 +163,7 @@ def _client(stack: ExitStack, scheduler: str | None, workers: int | None) -> Any
             security=security,
             dashboard_address="127.0.0.1:0",  # any free port; a taken one would be a warning
             silence_logs=logging.CRITICAL,
-            env=environment,
+            env=ENVIRONMENT,
         )
     except Exception as error:
         raise MotesError(

@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
+import ctypes
 import errno
+import sys
+from contextlib import suppress
 from functools import lru_cache
 from typing import NamedTuple
 
 from motes.fitting.texels import TexelFit
 from motes.maps.fitted import FittedMap, open_fitted
 from motes.maps.stack import Singles
+
+# Dask has the C library give memory back to the system whenever an array is dropped (MALLOC_TRIM_THRESHOLD_=65536), and to clear the pages anew at the next
+# block takes as long as its fits.  mallopt's numbers for what is kept at the end of a heap, and for the size from which on an array has pages of its own.
+TRIM_THRESHOLD, MMAP_THRESHOLD = -1, -3
+KEPT, LARGEST = 256 * 2**20, 32 * 2**20
 
 DONE, UNREADABLE, UNWRITABLE = "done", "unreadable", "unwritable"
 
@@ -55,7 +63,7 @@ def write_block(fitted: FittedMap, block: tuple[int, int], fit: TexelFit) -> Out
 
 def work_on(path: str, run: str, block: tuple[int, int]) -> Outcome:
     """A block of the fitted map at a path: what a worker of a cluster calls.  `run` tells runs into one path apart."""
-    _own_threads()
+    _settle()
     fitted = _opened(path, run)
     values = read_block(fitted, block)
     if isinstance(values, str):
@@ -68,12 +76,16 @@ def _opened(path: str, run: str) -> FittedMap:
     return open_fitted(path, mode="r+")
 
 
-def _own_threads() -> None:
-    """As many threads for fits as the worker was started with, unless it was told otherwise."""
+@lru_cache(maxsize=1)
+def _settle() -> None:
+    """What a worker does once: it takes as many threads for fits as it was started with, unless it was told otherwise, and keeps its memory."""
     import os
 
-    if "NUMBA_NUM_THREADS" in os.environ:
-        return
-    from distributed import get_worker
+    if "NUMBA_NUM_THREADS" not in os.environ:
+        from distributed import get_worker
 
-    os.environ["NUMBA_NUM_THREADS"] = str(get_worker().state.nthreads)
+        os.environ["NUMBA_NUM_THREADS"] = str(get_worker().state.nthreads)
+    if sys.platform == "linux":
+        with suppress(OSError, AttributeError):  # another C library
+            keep = ctypes.CDLL(None).mallopt
+            keep(TRIM_THRESHOLD, KEPT), keep(MMAP_THRESHOLD, LARGEST)
