@@ -16,6 +16,8 @@ import numpy as np
 from results import Number
 
 SHORTEST = 2e-3  # seconds: a call that takes less is repeated within a round
+# Seconds to look whether a candidate's threads are still at work: those of Dr.Jit wait for more, some 17 ms of a processor, after their last task.
+LOOK, LONGEST = 2e-3, 0.2
 
 
 @dataclass
@@ -54,6 +56,16 @@ class Timing:
         return Number.of(np.array(other.cpu) / np.array(self.cpu))
 
 
+def settle() -> None:
+    """Wait until no other thread of this process is at work: what one candidate leaves behind is not the next one's."""
+    end = time.perf_counter() + LONGEST
+    busy = True
+    while busy and time.perf_counter() < end:
+        before = time.process_time()
+        time.sleep(LOOK)
+        busy = time.process_time() - before > 0.2 * LOOK
+
+
 def interleaved(
     candidates: Mapping[str, tuple[Callable[[], Any], float]],
     rounds: int,
@@ -87,6 +99,7 @@ def interleaved(
             count = repeats[name]
             if name in in_a_loop:
                 call()
+            settle()
             wall, cpu = time.perf_counter(), time.process_time()
             for _ in range(count):
                 call()

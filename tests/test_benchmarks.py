@@ -7,6 +7,8 @@ import re
 import shutil
 import subprocess
 import sys
+import threading
+import time
 from collections import namedtuple
 from collections.abc import Iterator
 from dataclasses import replace
@@ -124,6 +126,20 @@ def test_what_was_timed_is_what_is_shown(sections: dict[str, Any]) -> None:
     assert sections["memory"].figures["peak_16"].median > 0.05
 
 
+def test_what_a_candidate_leaves_at_work_is_not_the_next_ones(scripts: None) -> None:
+    left: list[threading.Thread] = []
+
+    def works_on() -> None:
+        end = time.process_time() + 0.03
+        left.append(threading.Thread(target=lambda: [None for _ in iter(lambda: time.process_time() < end, False)]))
+        left[-1].start()
+
+    timings = module("timing").interleaved({"it": (works_on, 1), "next": (lambda: time.sleep(0.005), 1)}, 2, warm=False)
+    for thread in left:
+        thread.join()
+    assert max(timings["next"].cpu) < 0.004
+
+
 # ---------------------------------------------------------------- the page
 
 
@@ -218,6 +234,7 @@ def test_seconds_are_divided_by_items_and_repeats(monkeypatch: pytest.MonkeyPatc
     timing, now = module("timing"), [0.0, 0.0]
     clock = SimpleNamespace(perf_counter=lambda: now[0], process_time=lambda: now[1])
     monkeypatch.setattr(timing, "time", clock)
+    monkeypatch.setattr(timing, "settle", lambda: None)
 
     def call(seconds: float) -> None:
         now[0] += seconds
