@@ -38,6 +38,21 @@ def run(source, stride, end, first, target):
 def call(source, stride, end, first, target):
     run(source, stride, end, first, target)
 """
+BOXED = """
+def boxed({given}):
+    return vectors.boxed({pieces}, {given})
+
+def turned(items, count, room, pitch):
+    return vectors.turned({pieces}, items, count, room, pitch)
+
+@kernel
+def box({given}):
+    boxed({given})
+
+@kernel
+def turn(items, count, room, pitch):
+    turned(items, count, room, pitch)
+"""
 SUMS = '''
 LANES, RUN = 16, 128
 
@@ -147,6 +162,27 @@ def test_lanes_are_brought_into_rows(last: int) -> None:
     for first in (0, 8, 16, 21):
         call(given.ctypes.data, given.strides[0], last, first, found.ctypes.data)
     np.testing.assert_array_equal(found, given[np.minimum(np.arange(LANES), last)].T)
+
+
+@pytest.mark.parametrize(("count", "rows"), [(16, 7), (48, 8), (32, 11)])
+def test_rows_are_put_into_places_and_back(count: int, rows: int) -> None:
+    given = ", ".join(["count", "at", "items", *(f"row{k}" for k in range(rows))])
+    pieces = -(-rows // 8)
+    code = engine.module(BOXED.format(given=given, pieces=pieces), "boxes")
+    rng = np.random.default_rng(7)
+    x, at = rng.random((rows, count), dtype=np.float32), rng.permutation(count + 5)[:count].astype(np.int32)
+    items = np.full((count + 5, 8 * pieces), 9.0, np.float32)
+    code.box(count, engine.address(at), engine.address(items), *(engine.address(row) for row in x))
+    np.testing.assert_array_equal(items[at, :rows], x.T)
+    assert not items[at, rows:].any()
+    assert (np.delete(items, at, axis=0) == 9).all(), "no other place is written"
+    for some in (1, 15, 16, 21):
+        found = np.full((8 * pieces, 64), 7.0, np.float32)
+        code.turn(engine.address(items), some, engine.address(found), 64)
+        np.testing.assert_array_equal(found[:, :some], items[:some].T)
+        end = -(-some // 16) * 16
+        np.testing.assert_array_equal(found[:, some:end], np.repeat(items[some - 1 : some].T, end - some, axis=1))
+        assert (found[:, end:] == 7).all()
 
 
 def test_vectors_on_the_stack_lie_within_cache_lines() -> None:

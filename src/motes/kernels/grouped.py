@@ -19,6 +19,7 @@ from motes.graph import tracing
 from motes.graph.tracing import DIRECTIONS, PARAMETERS, Symbol, Trace, TracedParameter
 from motes.kernels import loops
 from motes.kernels.cheaper import without_division
+from motes.kernels.transposing import PIECE
 
 #: A group has all bits of a float32 but so many in common: 16 groups to each power of two.
 LAST_BITS = 19
@@ -29,8 +30,9 @@ DEGREE = 3
 # Nodes of the polynomials (Chebyshev's), and after them where they are judged.
 NODES = np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
 PLACES = np.concatenate([NODES, [-1.0, 1.0]])
-#: Groups are filled up to whole vectors, and have to have so many texels on average.
+#: Texels are evaluated in whole vectors, and groups have to have so many of them on average.
 LANES, FULL = loops.WHOLE, 64
+SPLIT = 4  # parts of a group, which texels that follow each other are counted into in turn: no count waits for the one before it
 _GROUP = 4  # a bit beside those of a model's leaves
 _COMPARISONS = ("lt", "le", "gt", "ge")
 
@@ -57,39 +59,53 @@ def grouped(
     wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, width, groups, group, varying, row, out, out_step, out_stride, room, first, last
 ):
     count = last - first
-    size = count + {lanes} * groups
-    where, begin, end = room, room + 4 * count, room + 4 * (count + groups)
-    i = room + 4 * (count + 2 * groups)
-    o, v = i + 3 * 4 * size, i + 6 * 4 * size
-    f = v + {rows} * 4 * size
+    size = count + {lanes}
+    where, rank, begin = room, room + 4 * count, room + 8 * count
+    end = begin + 4 * ({split} * groups + 1)
+    box = (end + 4 * {split} * groups + 63) // 64 * 64
+    tile = box + 4 * {width} * count
+    f = tile + 4 * {width} * TILE
     wi, wo, varying, out = wi + 4 * first * wi_step, wo + 4 * first * wo_step, varying + 4 * first, out + 4 * first * out_step
-    for b in range(groups):
-        store(int32, end, b, int32(0), "cleared", 0, 1)
+    for k in range({split} * groups):
+        store(int32, end, k, int32(0), "cleared", 0, 1)
     for n in range(count):
         key = (bits_of(load(F, varying, {key} * row + n, "other", 1)) >> {bits}) & {mask}
-        b = load(int32, group, key, "other", 1)
-        store(int32, where, n, b, "counted", 0, 1)
-        store(int32, end, b, int32(load(int32, end, b, "other", 1) + 1), "counted", 0, 1)
+        part = {split} * int64(load(int32, group, key, "other", 1)) + n % {split}
+        among = load(int32, end, part, "other", 1)
+        store(int32, end, part, int32(among + 1), "counted", 0, 1)
+        store(int32, where, n, int32(part), "counted", 0, 1)
+        store(int32, rank, n, among, "counted", 0, 1)
     at = 0
-    for b in range(groups):
-        store(int32, begin, b, int32(at), "begun", 0, 1)
-        at += (load(int32, end, b, "other", 1) + {lanes} - 1) // {lanes} * {lanes}
-        store(int32, end, b, load(int32, begin, b, "other", 1), "begun", 0, 1)
+    for k in range({split} * groups):
+        store(int32, begin, k, int32(at), "begun", 0, 1)
+        at += load(int32, end, k, "other", 1)
+    store(int32, begin, {split} * groups, int32(count), "begun", 0, 1)
     for n in range(count):
-        b = load(int32, where, n, "other", 1)
-        at = int64(load(int32, end, b, "other", 1))
-        store(int32, end, b, int32(at + 1), "sorted", {lanes_sorted} - 1, {lanes_sorted})
-        store(int32, where, n, int32(at), "sorted", {lanes_sorted} - 1, {lanes_sorted})
-{brought}
+        at = load(int32, begin, load(int32, where, n, "other", 1), "other", 1) + load(int32, rank, n, "other", 1)
+        store(int32, where, n, int32(at), "placed", 0, 1)
+    start = 0
+    while start < count:
+        some = min(TILE, count - start)
+        i, i_row = columns(3, wi + 4 * start * wi_step, wi_step, wi_stride, tile, some, False)
+        o, o_row = columns(3, wo + 4 * start * wo_step, wo_step, wo_stride, tile + 3 * 4 * TILE, some, False)
+        v = varying + 4 * start
+        boxed(some // 16 * 16, where + 4 * start, box, {brought})
+        for n in range(some // 16 * 16, some):
+            at = int64(load(int32, where, start + n, "other", 1))
+{brought_singly}
+        start += some
     for b in range(groups):
-        at, past = int64(load(int32, begin, b, "other", 1)), int64(load(int32, end, b, "other", 1))
-        whole = (past - at + {lanes} - 1) // {lanes} * {lanes}
-        for n in range(past, at + whole):
-            for k in range(6 + {rows}):
-                store(F, i, k * size + n, load(F, i, k * size + at, "other", 1), "filled", 0, 1)
-        span(i + 4 * at, size, o + 4 * at, size, constants + 4 * width * b, v + 4 * at, size, f + 4 * at, size, whole)
+        at, past = int64(load(int32, begin, {split} * b, "other", 1)), int64(load(int32, begin, {split} * b + {split}, "other", 1))
+        while at < past:
+            part = min(TILE, past - at)
+            turned(box + 4 * {width} * at, part, tile, TILE)
+            span(
+                tile, TILE, tile + 3 * 4 * TILE, TILE, constants + 4 * width * b, tile + 6 * 4 * TILE, TILE, f + 4 * at, size,
+                (part + {lanes} - 1) // {lanes} * {lanes},
+            )
+            at += part
     for n in range(count):
-        at = int64(load(int32, where, n, "scattered", {channels}))
+        at = int64(load(int32, where, n, "other", 1))
 {scattered}
 """
 
@@ -162,29 +178,33 @@ def evaluation(trace: Trace, varying: Collection[str], scalar: str) -> GroupedKe
     columns = [len(uniform) + place[s] if s in place else uniform.index(s) for s in kernel.constants]
     (key,) = (k for k, p in enumerate(kernel.varying) if p.symbol is found.parameter.symbol)
     rows, channels = len(kernel.varying), len(trace.outputs)
-    lanes = 7 + rows
-    sources = [f"load(F, w{w}, n * w{w}_step + {k} * w{w}_stride" for w in "io" for k in range(3)]
-    sources += [f"load(F, varying, {k} * row + n" for k in range(rows)]
-    brought = [
-        f'store(F, i, {k} * size + at, {source}, "sorted", {lanes}), "sorted", {k}, {lanes})'
-        for k, source in enumerate(sources)
+    whole = _whole(rows)
+    sources = [f"{w} + {4 * k} * {w}_row" for w in "io" for k in range(3)]
+    sources += [f"v + {4 * k} * row" for k in range(rows)]
+    singly = [
+        f'store(F, box, {whole} * at + {k}, load(F, {s}, n, "other", 1), "boxed", 0, 1)' for k, s in enumerate(sources)
     ]
     scattered = [
-        f'store(F, out, n * out_step + {k} * out_stride, load(F, f, {k} * size + at, "scattered", {channels}), "scattered", {k}, {channels})'
+        f'store(F, out, n * out_step + {k} * out_stride, load(F, f, {k} * size + at, "other", 1), "scattered", {k}, {channels})'
         for k in range(channels)
     ]
     driver = _DRIVER.format(
         key=key,
         channels=channels,
-        lanes_sorted=lanes,
-        rows=rows,
-        brought="\n".join(" " * 8 + line for line in brought),
+        width=whole,
+        split=SPLIT,
+        brought=", ".join(sources),
+        brought_singly="\n".join(" " * 12 + line for line in singly),
         scattered="\n".join(" " * 8 + line for line in scattered),
         lanes=LANES,
         bits=LAST_BITS,
         mask=KEYS - 1,
     )
-    source = loops.joined(kernel.source, driver)
+    given = ", ".join(["count", "at", "items", *(f"row{k}" for k in range(len(sources)))])
+    boxed = f"def boxed({given}):\n    return vectors.boxed({whole // PIECE}, {given})"
+    given = "address, count, room, pitch"
+    turned = f"def turned({given}):\n    return vectors.turned({whole // PIECE}, {given})"
+    source = loops.joined(kernel.source, boxed, turned, driver)
     return GroupedKernel(source, "grouped", tuple(uniform), kernel.varying, columns=tuple(columns), key=key)
 
 
@@ -238,5 +258,12 @@ def _ends(keys: NDArray[np.int64]) -> tuple[NDArray[np.float64], NDArray[np.floa
 
 def room(kernel: GroupedKernel, count: int, groups: int, channels: int) -> Any:
     """Scratch memory for a task of so many texels."""
-    size = count + LANES * groups
-    return np.empty(count + 2 * groups + (6 + len(kernel.varying) + channels) * size, np.float32)
+    whole = _whole(len(kernel.varying))
+    return np.empty(
+        2 * count + 2 * SPLIT * groups + 32 + whole * (count + loops.TILE) + channels * (count + LANES), np.float32
+    )
+
+
+def _whole(rows: int) -> int:
+    """Numbers that lie together for a texel: directions and what varies, in whole pieces."""
+    return -(-(6 + rows) // PIECE) * PIECE

@@ -62,12 +62,13 @@ def compiled_module(source: str, title: str, on_compile: Callable[[str], None] |
     on_compile
         Called with a sentence before something is compiled, which takes about a second.
     """
-    from motes.kernels import assembly, lowered_values, lowering, machine_code, vector_functions, vectors
+    from motes.kernels import assembly, lowered_values, lowering, machine_code, transposing, vector_functions, vectors
+    from motes.printing import elementary
     from motes.version import __version__
 
     used = [
         Path(m.__file__ or "").read_text(encoding="utf-8")
-        for m in (assembly, lowered_values, lowering, vector_functions, vectors, machine_code)
+        for m in (assembly, elementary, lowered_values, lowering, machine_code, transposing, vector_functions, vectors)
     ]
     basis = [source, __version__, machine_code.description(), *used]
     name = "motes_" + hashlib.sha256("\0".join(basis).encode()).hexdigest()[:24]

@@ -20,12 +20,15 @@ from typing import NamedTuple
 
 from motes.kernels.assembly import DOUBLE, FLOAT, WORD, Builder, Value, number, scalar, vector
 from motes.kernels.machine_code import vector_bytes
+from motes.kernels.transposing import boxed, transposed, turned
 from motes.kernels.vector_functions import Lanes
+
+#: What generated modules call.
+__all__ = ["boxed", "each", "rows", "stretch", "sums", "transposed", "turned"]
 
 TOGETHER = 8  # lanes for which a program over rows is run at a time: a vector of AVX-512 in float64
 LONG = 800  # lines of a program over long rows, 40 bytes of instructions each for two vectors
 AT_ONCE = 16  # samples for which a part of a long program is done before the next part
-PIECE = 8  # numbers that `transposed` reads at once from a lane's memory
 
 
 def rows(builder: Builder, lanes: int, letter: str, program: str, *arguments: Value) -> None:
@@ -164,49 +167,6 @@ def _uniform(lines: list[list[str]]) -> tuple[list[list[str]], list[list[str]]]:
         if line[1] == "=" and (line[2] in ("splat", "const") or (line[2] == "true" and line[3] in same)):
             same.add(line[0])
     return [line for line in lines if line[0] in same], [line for line in lines if line[0] not in same]
-
-
-def transposed(
-    builder: Builder, lanes: int, address: Value, stride: Value, last: Value, start: Value, room: Value
-) -> None:
-    """Write what brings `PIECE` numbers of each of 16 lanes into rows of lanes.
-
-    Arguments: the address of the first lane's numbers (float32), the bytes from a lane's to the next lane's, the last lane that there is (those beyond
-    repeat it), the position of the first number, and the address of the rows, of which those at `start` and beyond are written.
-    """
-    begin = builder.binary("add", address, builder.binary("mul", start, number(WORD, 4)))
-    vectors = []
-    for k in range(lanes):
-        lane = number(WORD, k)
-        lane = builder.select(builder.compared("slt", lane, last), lane, last)
-        place = builder.pointer(builder.binary("add", begin, builder.binary("mul", lane, stride)))
-        vectors.append(builder.load(vector(PIECE, FLOAT), place, 4))
-    for k, value in enumerate(_columns(builder, vectors)):
-        row = builder.binary("mul", builder.binary("add", start, number(WORD, k)), number(WORD, 4 * lanes))
-        builder.store(value, builder.pointer(builder.binary("add", room, row)), 4)
-
-
-def _columns(builder: Builder, rows: list[Value]) -> list[Value]:
-    """The columns of twice `PIECE` rows of `PIECE` numbers, in shuffles that processors have: first within quarters of four numbers, then of these."""
-    size, quarters = 2 * PIECE, PIECE // 2
-
-    def within(a: Value, b: Value, *places: int) -> Value:
-        return builder.shuffled(a, b, [4 * q + (n if n < 4 else n - 4 + size) for q in range(quarters) for n in places])
-
-    # Rows k and k + 8 are one vector: numbers 0-3 and 4-7 of the one, and of the other.
-    both = [builder.shuffled(a, b, list(range(size))) for a, b in zip(rows[:PIECE], rows[PIECE:], strict=True)]
-    fours = []
-    for k in (0, 4):  # four rows by four numbers, in each quarter
-        low = [within(both[k + n], both[k + n + 1], 0, 4, 1, 5) for n in (0, 2)]
-        high = [within(both[k + n], both[k + n + 1], 2, 6, 3, 7) for n in (0, 2)]
-        fours.append(
-            [within(pair[0], pair[1], *places) for pair in (low, high) for places in ((0, 1, 4, 5), (2, 3, 6, 7))]
-        )
-    found = []
-    for first in (0, 4):
-        order = [quarter + n for quarter in (first, size + first, 8 + first, size + 8 + first) for n in range(4)]
-        found += [builder.shuffled(a, b, order) for a, b in zip(*fours, strict=True)]
-    return found
 
 
 def _parsed(program: str) -> tuple[list[str], list[list[str]]]:

@@ -25,7 +25,7 @@ from motes.fitting.printed.sums import RUN, many_sums, sum_function
 from motes.fitting.printed.traced import Traced
 from motes.graph import tracing
 from motes.graph.tracing import DIRECTIONS, PARAMETERS, Symbol
-from motes.kernels.vectors import PIECE
+from motes.kernels.transposing import PIECE
 
 #: With more coefficients than this the straight-line algebra grows too long to compile.
 MOST_COEFFICIENTS = 20
