@@ -139,16 +139,17 @@ def _parts(lines: list[list[str]]) -> list[_Part]:
 
 
 def stretch(builder: Builder, most: int, letter: str, program: str, *arguments: Value) -> None:
-    """Write `program` over long rows, for two of the processor's vectors at a time, or `most` lanes if these are fewer.
+    """Write `program` over long rows, for several of the processor's vectors at a time, or `most` lanes if these are fewer.
 
     The program may use ``n``, the first item of such a step, in indices; one of its arguments is ``count``, a multiple of `most`.  What it says with
     ``splat`` and ``const`` is the same for all steps, and done once before.  Two vectors, because a processor waits for the one's divisions and
-    polynomials where it has nothing else to do; one in programs of more than `LONG` lines, whose instructions for two do not fit the first cache.
+    polynomials where it has nothing else to do, and four of AVX2; one in programs of more than `LONG` lines, whose instructions for two do not fit the
+    first cache.
     """
     names, lines = _parsed(program)
     uniform, rest = _uniform(lines)
     given = dict(zip(names, arguments, strict=True))
-    at_once = 2 if len(rest) <= LONG else 1
+    at_once = 1 if len(rest) > LONG else 4 if vector_bytes() == 32 and not any(line[0] == "sum" for line in rest) else 2
     writer = _Writer(builder, min(most, at_once * _vector(letter)), letter, given)
     values = writer.run(uniform, {})
     with builder.loop(number(WORD, 0), given["count"], writer.lanes) as n:
