@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Mapping, Sequence
 
 from motes.graph.dependence import live
@@ -9,11 +10,14 @@ from motes.graph.symbols import Symbol
 
 # Where a square root or an arc sine has an infinite slope, the derivative is kept finite, so that 0 times it is 0 and not NaN.
 _LEAST_ROOT = 1e-18
+# Powers of 2, and what they have in their slopes; the words that kernels have for them are in `motes.kernels.cheaper`.
+_BASE_2 = {f"{op}{suffix}": f"exp2{suffix}" for op in ("exp2", "exp2m1") for suffix in ("", "_below")}
+_LN_2 = math.log(2)
 # Places of what is no argument: what a symbol is 1 over, and what it is the power 3/2 of.
 _INVERTED, _THREE_HALVES = -1, -2
 
 
-def _shorter(symbols: Sequence[Symbol], leaves: Collection[Symbol]) -> dict[Symbol, tuple[int, Symbol]]:
+def powers(symbols: Sequence[Symbol], leaves: Collection[Symbol] = ()) -> dict[Symbol, tuple[int, Symbol]]:
     """Symbols that are a power of one symbol, and how: their derivative leads there without a way through what they are made of.
 
     Powers are 1/x, a quotient or a known inverse times a factor that it is the inverse of (`motes.models.slants.inverses`), and x sqrt(x).
@@ -59,7 +63,9 @@ def _through(symbol: Symbol, k: int, t: Symbol) -> Symbol | None:
         return t * (0.5 / graph.maximum(symbol, _LEAST_ROOT))
     if op in ("exp", "expm1"):
         return t * graph.exp(a)
-    if op == "asin":
+    if op in _BASE_2:
+        return t * (_LN_2 * graph.apply(_BASE_2[op], a))
+    if op in ("asin", "asin_near"):
         return t / graph.maximum(graph.sqrt((1 - a) * (1 + a)), _LEAST_ROOT)
     if op == "log1p":
         return t / (1 + a)
@@ -83,7 +89,7 @@ def forward(outputs: Sequence[Symbol], leaves: Sequence[Symbol]) -> list[dict[Sy
     """Derivatives of every output by every leaf, carried along with the values; what is 0 by structure is absent."""
     tangents: dict[Symbol, dict[Symbol, Symbol]] = {}
     order = live(outputs)
-    shorter = _shorter(order, set(leaves))
+    shorter = powers(order, set(leaves))
     for symbol in order:
         tangent = {symbol: symbol.graph.constant(1.0)} if symbol in leaves else {}
         for k, argument in _arguments(symbol, shorter):
@@ -102,7 +108,7 @@ def adjoint(seeds: Mapping[Symbol, Symbol], leaves: Sequence[Symbol]) -> dict[Sy
     """
     order = live(seeds)
     wanted = set(leaves)
-    shorter = _shorter(order, set(leaves))
+    shorter = powers(order, set(leaves))
     for symbol in order:
         if any(a in wanted for a in symbol.args):
             wanted.add(symbol)

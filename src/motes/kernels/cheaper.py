@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from motes.directions import SMALLEST_COSINE
 from motes.graph import tracing
+from motes.graph.derivatives import powers
 from motes.graph.tracing import DIRECTIONS, PARAMETERS, Symbol, Trace
 
 #: Denominators whose product is known to be at least so large are multiplied; one of unknown size may be among them.
@@ -238,6 +239,7 @@ class _Products:
         for symbol in outputs:
             self.users[symbol].append(None)
         self.sizes, self.held = sizes, set(held)
+        self.powers = powers(order)
         self.products: dict[Symbol, _Product] = {}
         self.new: dict[Symbol, Symbol] = {}
         for symbol in order:
@@ -293,6 +295,8 @@ class _Products:
         if not self.bits[symbol] & DIRECTIONS:
             return _Product(symbol)
         product = self.products.get(symbol)
+        if symbol in self.powers and symbol.op == "mul":  # stays whole, which its derivative is a short one of
+            return _Product(one, (self._value(symbol),))
         if product is not None and self.users[symbol] == [user]:
             return product
         if product is not None and all(u is not None and self._scales(u) for u in self.users[symbol]):

@@ -12,7 +12,7 @@ from collections.abc import Collection, Mapping, Sequence
 from motes.graph import tracing
 from motes.graph.tracing import DIRECTIONS, PARAMETERS, Symbol, Trace
 from motes.kernels import drivers, loops
-from motes.kernels.cheaper import without_division
+from motes.kernels.cheaper import cheaper
 from motes.kernels.programs import computed
 
 #: Lanes of a row of sums: as many as a vector has at most.
@@ -27,7 +27,7 @@ def gradient(trace: Trace, varying: Collection[str], scalar: str) -> loops.Kerne
     """
     graph = trace.graph
     rows, leaves = loops.inputs_of(trace, varying)
-    outputs = without_division(trace.outputs, leaves)
+    outputs = cheaper(trace, leaves)
     seeds: dict[Symbol, Symbol] = {}
     seed_leaves = [graph.leaf(f"seed[{c}]") for c in range(len(outputs))]
     for output, seed in zip(outputs, seed_leaves, strict=True):  # channels of equal value are one symbol
