@@ -76,6 +76,16 @@ class _Chain:
         return [self.graph.leaf(f"{name}[{k}]") for k in range(count)]
 
 
+def coefficients_apart(coefficients: Coefficients, apart: Collection[int]) -> set[int]:
+    """Where all matrices of the coefficients are 0 (packed), of parameters whose matrices are 0 where they are `apart`."""
+    if coefficients.static:
+        return set(apart)
+    chain = _Chain(coefficients, apart)
+    local = chain.local * (chain.local + 1) // 2
+    carried = _carried(chain, chain.matrix(chain.leaves_of("matrix", local)))
+    return {k for k, symbol in enumerate(carried) if symbol.is_constant(0.0)}
+
+
 def trend_functions(coefficients: Coefficients, apart: Collection[int]) -> list[str]:
     """``trends_at`` (parameters at a time, and their slopes), ``chain_rule`` (normal equations to the coefficients'), ``carry`` (a matrix
     likewise) and ``leverage_at`` (a

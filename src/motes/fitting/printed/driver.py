@@ -36,8 +36,9 @@ NO_VERDICT = 255
 LONG_RUN = 6
 # Steps that a fit of many times makes by a few of them.
 FIRST_STEPS = 2
-# Lines of the next block's memory that are asked for at a time: a processor keeps about so many requests.
-LINES_AHEAD = 16
+# Lines of the next block's memory that are asked for at a time, at one time and at several: all of it by the end of a block, but no more at once than a
+# processor keeps requests for.
+LINES_AHEAD = 20, 64
 
 
 @dataclass(frozen=True)
@@ -137,7 +138,7 @@ class Layout:
             f"NARROW, OPENING, SUMS, BASIS, ROWS, STATE = {self.narrow}, {self.opening}, {self.sums}, {self.basis}, {self.rows}, {len(STATE)}",
             f"TRIANGLE, LOCAL_TRIANGLE = {self.triangle}, {self.local_triangle}",
             *(f"{name.upper()} = {SCALARS.index(name)}" for name in ("running", "iterations", "ending", "brightness")),
-            f"NONE, ROUNDS, LONG, FIRST, LINES = {NO_VERDICT}, {ROUNDS}, {LONG_RUN}, {FIRST_STEPS}, {LINES_AHEAD}",
+            f"NONE, ROUNDS, LONG, FIRST, LINES = {NO_VERDICT}, {ROUNDS}, {LONG_RUN}, {FIRST_STEPS}, {LINES_AHEAD[not self.static]}",
         ]
         start = 0
         for name, rows in (*self.places().items(), ("opened", 0)):

@@ -36,12 +36,14 @@ def ahead(address, end):
 """
 
 PASS = """
-def {name}(x, room, own, columns, row, basis, times, every, samples, data{total}):
+def {name}(x, room, own, columns, row, basis, times, every, samples, data{total}, coming, end):
     parameters, slopes, constants, wide = room + AT_PARAMETERS, room + AT_SLOPES, room + AT_CONSTANTS, room + AT_WIDE
     summed, normal, shared = room + AT_SUMMED, room + AT_NORMAL, basis + 8 * BASIS * times
     {before}
     for t in range(0, times, every):
+        coming = ahead(coming, end)
         {body}
+    return coming
 """
 
 CLOSING = """
@@ -63,7 +65,7 @@ def inverse_of(curvature, among, blurred, inverse, now_blurred):
     inverse_at(curvature, among, blurred, inverse, now_blurred)
 
 
-def closing(x, room, own, box, columns, row, basis, times, samples, data, roughly, whole):
+def closing(x, room, own, box, columns, row, basis, times, samples, data, roughly, whole, coming, end):
     parameters, slopes, constants, wide = room + AT_PARAMETERS, room + AT_SLOPES, room + AT_CONSTANTS, room + AT_WIDE
     normal, curved, leverage, middle = room + AT_NORMAL, room + AT_CURVED, room + AT_LEVERAGE, room + AT_MIDDLE
     stand, among, blurred, now_blurred = room + AT_STAND, room + AT_AMONG, room + AT_BLURRED, room + AT_NOW_BLURRED
@@ -92,6 +94,7 @@ def closing(x, room, own, box, columns, row, basis, times, samples, data, roughl
     among_at(free, blurred, loose, among)
     clear(middle, ROWS + 1)
     for t in range(times):
+        coming = ahead(coming, end)
         {middle}
     polished(x, objective, ending, bright, middle, gradient, inverse, among, box, point)
     for k in range(SIZE):
@@ -145,11 +148,10 @@ def proposed(state, box, own, room, trial):
 
 # Some steps by a few of the times, to where those have their minimum, about; from there the fit goes on by all of them.
 FEW_TIMES = """if every > 1:
-            normal_equations(state, room, own, columns, row, basis, times, every, samples, data, state + 8 * LANES * SIZE)
+            coming = normal_equations(state, room, own, columns, row, basis, times, every, samples, data, state + 8 * LANES * SIZE, coming, end)
             for iteration in range(FIRST):
                 proposed(state, box, own, room, trial)
-                coming = ahead(coming, end)
-                normal_equations(trial, room, own, columns, row, basis, times, every, samples, data, fresh)
+                coming = normal_equations(trial, room, own, columns, row, basis, times, every, samples, data, fresh, coming, end)
                 judged(state, box, trial, fresh, next_state)
                 state, next_state = next_state, state
             for n in range(LANES):
@@ -181,7 +183,7 @@ WHOLE = """if not brightness - brightness == D(0.0):
 
 RESIDUALS = """if out != 0:
             block = out + 4 * LANES * CHANNELS * given * times * (first // LANES)
-            residuals(state, room, own, columns, row, basis, times, 1, samples, data, given, block)"""
+            coming = residuals(state, room, own, columns, row, basis, times, 1, samples, data, given, block, coming, end)"""
 
 # Addresses are integers.  `values` are float32 (texel, time, sample, channel); `columns` rows of `row` items; `points` and `held` (texel,
 # coefficient), `noise` (texel,) and `states` (texel, STATE) float64, of which `held` and `noise` may be the same for all (a step of 0); `box`
@@ -210,7 +212,11 @@ def fit(
             opening_sums(columns, row, room + AT_CONSTANTS, data + 4 * LANES * WIDTH * samples * t, samples, opened)
         # The next block's memory, a little at a time between the steps: more at once would have to be waited for.
         coming, end = values + (first + LANES) * stride, values + min(texels, first + 2 * LANES) * stride
+        # What the next block's texels bring.
+        ahead(points + 8 * (first + LANES) * SIZE, points + 8 * min(texels, first + 2 * LANES) * SIZE)
+        ahead(states + 8 * (first + LANES) * STATE, states + 8 * min(texels, first + 2 * LANES) * STATE)
         # ---- where the lanes start
+        going, begun = 0, False
         for n in range(LANES):
             texel = first + min(n, count - 1)
             for k in range(SIZE):
@@ -231,23 +237,26 @@ def fit(
             if n >= count or brightness == D(0.0) or used <= SIZE:
                 running = D(0.0)
             store(D, state, (after + RUNNING) * LANES + n, running, "plain", 0, 1)
+            going += running > D(0.0)
+            begun = begun or load(D, state, (after + ITERATIONS) * LANES + n, "other", 1) > D(0.0)
             if n < count:
                 store(D, states, texel * STATE + 6, used, "plain", 0, 1)
                 store(D, states, texel * STATE + 7, brightness, "plain", 0, 1)
         coming = ahead(coming, end)
         <FEW_TIMES>
-        normal_equations(state, room, own, columns, row, basis, times, 1, samples, data, state + 8 * LANES * SIZE)
+        coming = normal_equations(state, room, own, columns, row, basis, times, 1, samples, data, state + 8 * LANES * SIZE, coming, end)
         for iteration in range(limit):
-            running = 0
-            for n in range(LANES):
-                on = load(D, state, (after + RUNNING) * LANES + n, "other", 1) > D(0.0)
-                if on and load(D, state, (after + ITERATIONS) * LANES + n, "other", 1) >= limit:  # begun in another block: it waits
-                    store(D, state, (after + RUNNING) * LANES + n, D(0.0), "plain", 0, 1)
-                    store(D, state, (after + ENDING) * LANES + n, D(-1.0), "plain", 0, 1)
-                    on = False
-                running += on
+            if begun:  # in another block: a lane waits that has come as far as is asked for
+                going = 0
+                for n in range(LANES):
+                    on = load(D, state, (after + RUNNING) * LANES + n, "other", 1) > D(0.0)
+                    if on and load(D, state, (after + ITERATIONS) * LANES + n, "other", 1) >= limit:
+                        store(D, state, (after + RUNNING) * LANES + n, D(0.0), "plain", 0, 1)
+                        store(D, state, (after + ENDING) * LANES + n, D(-1.0), "plain", 0, 1)
+                        on = False
+                    going += on
             few = min(leave, count // 2) if iteration >= LONG else 0
-            if running <= few:
+            if going <= few:
                 break
             coming = ahead(coming, end)
             proposed(state, box, own, room, trial)
@@ -259,8 +268,7 @@ def fit(
                 ended(state, trial, next_state)
                 state, next_state = next_state, state
                 break
-            coming = ahead(coming, end)
-            normal_equations(trial, room, own, columns, row, basis, times, 1, samples, data, fresh)
+            coming = normal_equations(trial, room, own, columns, row, basis, times, 1, samples, data, fresh, coming, end)
             coming = ahead(coming, end)
             judged(state, box, trial, fresh, next_state)
             state, next_state = next_state, state
@@ -280,10 +288,10 @@ def fit(
         if close == 1:  # what the data do not see goes to its default
             rest_at(state, state + 8 * LANES * (SIZE + 2 + SIZE), state + 8 * LANES * (after + BRIGHTNESS), box, trial)
             if any_of(trial + 8 * LANES * SIZE):
-                normal_equations(trial, room, own, columns, row, basis, times, 1, samples, data, fresh)
+                coming = normal_equations(trial, room, own, columns, row, basis, times, 1, samples, data, fresh, coming, end)
                 rested(state, trial, fresh, next_state)
                 state, next_state = next_state, state
-        closing(state, room, own, box, columns, row, basis, times, samples, data, close == 2, covariances != 0)
+        closing(state, room, own, box, columns, row, basis, times, samples, data, close == 2, covariances != 0, coming, end)
         middle, results, noise_here = room + AT_MIDDLE, room + AT_FOUND, room + AT_NOISE
         for n in range(count):
             texel = first + n

@@ -6,7 +6,7 @@ texel that is shorter to compile than loops, and several times as fast.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from typing import Any
 
 import numpy as np
@@ -52,9 +52,10 @@ class Formulas:
         """One leaf (1,)."""
         return np.array([self.graph.leaf(name)], object)
 
-    def matrix(self, name: str, size: int) -> Formula:
-        """A symmetric matrix of leaves, which stand packed in rows."""
+    def matrix(self, name: str, size: int, apart: Collection[int] = ()) -> Formula:
+        """A symmetric matrix of leaves, which stand packed in rows; it is 0 where parameters are `apart` (packed)."""
         triangle = self.vector(name, size * (size + 1) // 2)
+        triangle[list(apart)] = self.graph.constant(0.0)
         return np.array([[triangle[packed(i, j)] for j in range(size)] for i in range(size)], object)
 
     def numbers(self, values: NDArray[Any]) -> Formula:

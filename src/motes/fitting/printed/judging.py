@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from typing import Any
 
 import numpy as np
@@ -23,6 +23,8 @@ BOX = ("low", "high", "unit", "reduction", "rounding", "whole", "span", "least",
 NUMBERS = ("reduction", "rounding", "whole")
 # What the arguments of a function are by their names: packed matrices, and numbers; all others are vectors.
 _MATRICES = frozenset({"matrix", "bent", "inverse", "middle", "covariance"})
+# Those that are summed, in which what belongs to different channels does not meet.
+_SUMMED = frozenset({"matrix", "bent", "middle"})
 _NUMBERS = frozenset({"objective", "ending", "brightness", "squares"})
 
 
@@ -109,13 +111,20 @@ def _curvature(algebra: Formulas, bent: Formula, matrix: Formula) -> Array:
     return algebra.where(algebra.less(-algebra.largest(-algebra.diagonal(bent)), 0.0), matrix, bent)
 
 
-def verdict_functions(signed: Floats, squared: Floats, robust: bool) -> list[str]:
-    """All of them, for columns of which some are signed, or in the square of their parameter (1, else 0)."""
+def verdict_functions(signed: Floats, squared: Floats, robust: bool, apart: Collection[int]) -> list[str]:
+    """All of them, for columns of which some are signed, or in the square of their parameter (1, else 0), and some `apart` (packed)."""
     functions = ({"curvature_at": (_curvature, ("curvature",))} if robust else {}) | FUNCTIONS
-    return [_printed(name, step, targets, signed, squared) for name, (step, targets) in functions.items()]
+    return [_printed(name, step, targets, signed, squared, apart) for name, (step, targets) in functions.items()]
 
 
-def _printed(name: str, step: Callable[..., Any], targets: tuple[str, ...], signed: Floats, squared: Floats) -> str:
+def _printed(
+    name: str,
+    step: Callable[..., Any],
+    targets: tuple[str, ...],
+    signed: Floats,
+    squared: Floats,
+    apart: Collection[int],
+) -> str:
     """The text of a function."""
     algebra, size = Formulas(), len(signed)
     box = {key: algebra.vector(key, 1 if key in NUMBERS else size) for key in BOX}
@@ -131,9 +140,12 @@ def _printed(name: str, step: Callable[..., Any], targets: tuple[str, ...], sign
     for argument in arguments:
         if argument not in given:
             count = 1 if argument in _NUMBERS else 4 * size if argument == "stand" else size
-            one = algebra.matrix(argument, size) if argument in _MATRICES else algebra.vector(argument, count)
+            if argument in _MATRICES:
+                one = algebra.matrix(argument, size, apart if argument in _SUMMED else ())
+            else:
+                one = algebra.vector(argument, count)
             given[argument] = one
-            sources.append(Rows(argument, "D").put(_rows(algebra, one)))
+            sources.append(Rows(argument, "D").all(_rows(algebra, one)))
     if "columns" in arguments:
         sources.append(Uniform("box", tuple(leaf for vector in box.values() for leaf in vector)))
     found = step(algebra, **{argument: given[argument] for argument in arguments})

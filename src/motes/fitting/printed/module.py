@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from motes.fitting.columns import Columns
 from motes.fitting.losses import Loss, Robust
-from motes.fitting.printed.coefficients import Coefficients, trend_functions
+from motes.fitting.printed.coefficients import Coefficients, coefficients_apart, trend_functions
 from motes.fitting.printed.driver import Layout
 from motes.fitting.printed.judging import verdict_functions
 from motes.fitting.printed.moments import moments
@@ -113,6 +113,7 @@ def module(fit: NormalEquations, coefficients: Coefficients, bounds: Columns) ->
     parameters = Rows("parameters", "D").put(model.parameters)
     own = Rows("own", "D", {model.noise: size})  # after what is held
     leverage = Rows("leverage", "D").put(model.leverage)
+    apart = coefficients_apart(coefficients, _apart(fit))
 
     def sums(name: str, integrands: Sequence[Symbol], constants: Rows, stages: Sequence[Sequence[Symbol]] = ()) -> str:
         return sum_function(name, model.data.leaves, integrands, columns, constants, stages=stages)
@@ -134,8 +135,8 @@ def module(fit: NormalEquations, coefficients: Coefficients, bounds: Columns) ->
         sums("closing_sums", fit.closing, closing, fit.stages),
         lane_function("normal_at", [wide, own, opened, summed, shared], [Target("normal", "D", algebra)]),
         *([] if coefficients.static else trend_functions(coefficients, _apart(fit))),
-        *step_functions(size, fit.form),
-        *verdict_functions(bounds.signed[:, 0], bounds.squared[:, 0], model.is_robust),
+        *step_functions(size, fit.form, apart),
+        *verdict_functions(bounds.signed[:, 0], bounds.squared[:, 0], model.is_robust, apart),
     ]
     if model.is_robust:
         parts.append(sums("curving_sums", fit.curving, narrow))

@@ -24,6 +24,11 @@ class Rows:
             self.where.setdefault(symbol, len(self.where))
         return self
 
+    def all(self, symbols: Iterable[Symbol]) -> Rows:
+        """One row for each of so many symbols; those of constants are never read."""
+        self.where |= {symbol: k for k, symbol in enumerate(symbols) if symbol.op != "constant"}
+        return self
+
 
 @dataclass(frozen=True)
 class Uniform:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+from typing import Any
+
 import numpy as np
 
 from motes.fitting import covariance, levenberg
-from motes.fitting.printed.formulas import Formulas, triangle_of
+from motes.fitting.printed.formulas import Formula, Formulas, triangle_of
 from motes.fitting.printed.rows import Rows, Target, Uniform, lane_function
 
 #: What follows the point and its normal equations in the rows of a block's state.
@@ -14,8 +17,9 @@ SCALARS = ("damping", "growth", "idle", "running", "iterations", "ending", "brig
 LEAST_NOISE = {"direct": 1e-10, "moments": 1e-12, "series": 1e-12}
 
 
-def step_functions(size: int, form: str) -> list[str]:
-    """``held``, ``bounded_step``, ``proposal``, ``ended``, ``judged`` and ``rested`` for so many coefficients, in a form of the normal equations.
+def step_functions(size: int, form: str, apart: Collection[int]) -> list[str]:
+    """``held``, ``bounded_step``, ``proposal``, ``ended``, ``judged`` and ``rested`` for so many coefficients, in a form of the normal equations whose
+    matrix is 0 where coefficients are `apart` (packed).
 
     Their rows: ``state`` (the point, normal equations, `SCALARS`), ``own`` (1 for each coefficient that the texel holds), ``stops`` (what is
     stopped, the step, how many left the box), ``trial`` (a point, what it promises, why it is the last), ``fresh`` (normal
@@ -23,7 +27,11 @@ def step_functions(size: int, form: str) -> list[str]:
     """
     algebra = Formulas()
     graph = algebra.graph
-    x, gradient, matrix = algebra.vector("x", size), algebra.vector("gradient", size), algebra.matrix("matrix", size)
+    x, gradient, matrix = (
+        algebra.vector("x", size),
+        algebra.vector("gradient", size),
+        algebra.matrix("matrix", size, apart),
+    )
     objective, terms = algebra.number("objective"), algebra.number("terms")
     normal = [objective[0], terms[0], *gradient, *triangle_of(matrix)]
     scalars = [algebra.number(name) for name in SCALARS]
@@ -33,7 +41,7 @@ def step_functions(size: int, form: str) -> list[str]:
     reduction, rounding = algebra.number("reduction"), algebra.number("rounding")
     precision = levenberg.Precision(reduction, rounding * terms + LEAST_NOISE[form] * brightness)
     at = levenberg.At(x, objective, gradient, matrix)
-    state = Rows("state", "D").put([*x, *normal, *(s[0] for s in scalars)])
+    state = Rows("state", "D").all([*x, *normal, *(s[0] for s in scalars)])
     own = Rows("own", "D").put(fixed)
     box = Uniform("box", (*low, *high, *unit, *reduction, *rounding))
     given, stopped = algebra.vector("given", size), algebra.vector("stopped", size)
@@ -65,12 +73,18 @@ def step_functions(size: int, form: str) -> list[str]:
         *(item for part in damping for item in part), *goes_on, *iterations, *last, *brightness,
     ]  # fmt: skip
     ended = lane_function("ended", [state, trial], [Target("next_state", "D", stays)])
-    new = [graph.leaf(f"new[{k}]") for k in range(len(normal))]
+    new = [graph.leaf(f"new[{k}]") for k in range(2 + size)] + triangle_of(algebra.matrix("new_matrix", size, apart))
+
+    def either(taken: Formula, new: list[Any]) -> list[Any]:
+        """The normal equations of the new point where it is taken."""
+        condition = algebra.less(zero, taken)[0]
+        return [b if a is b else graph.where(condition, a, b) for a, b in zip(new, normal, strict=True)]
+
     verdict = levenberg.judged(algebra, objective, np.array(new[:1], object), promised, damping, precision)
     taken = verdict.better * goes_on
     updated = [
         *algebra.where(algebra.less(zero, taken + ends), points, x),
-        *algebra.where(algebra.less(zero, taken), np.array(new, object), np.array(normal, object)),
+        *either(taken, new),
         *(
             algebra.where(algebra.less(zero, goes_on), after, before)[0]
             for after, before in zip(verdict.damping, damping, strict=True)
@@ -80,7 +94,7 @@ def step_functions(size: int, form: str) -> list[str]:
         *last,
         *brightness,
     ]
-    fresh = Rows("fresh", "D").put(new)
+    fresh = Rows("fresh", "D").all(new)
     judged = lane_function("judged", [state, box, trial, fresh], [Target("next_state", "D", updated)])
     # Of a lane that did not move the normal equations stay as they are: those of the point before its last step.
     taken = covariance.alike(algebra, objective, np.array(new[:1], object)) * algebra.where(
@@ -88,7 +102,7 @@ def step_functions(size: int, form: str) -> list[str]:
     )
     settled = [
         *algebra.where(algebra.less(zero, taken), points, x),
-        *algebra.where(algebra.less(zero, taken), np.array(new, object), np.array(normal, object)),
+        *either(taken, new),
         *(s[0] for s in scalars),
     ]
     rested = lane_function("rested", [state, trial, fresh], [Target("next_state", "D", settled)])
