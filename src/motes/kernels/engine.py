@@ -18,16 +18,16 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from motes.errors import DataError
 from motes.graph import tracing
 from motes.graph.recording import Kind, recorded
 from motes.kernels import gradients, grouped, grouping, loops
-from motes.kernels import numpy as numpy_code
 from motes.kernels.jobs import CHUNK, Array, Job, address, place, target_of
 from motes.kernels.memory import empty
 from motes.kernels.module_cache import cache_folder, compiled_module
+from motes.kernels.uniform import Uniform
 from motes.parameters import Parametrised
 
 __all__ = [
@@ -243,7 +243,7 @@ def vjp(model: Parametrised, wi: ArrayLike, wo: ArrayLike, upstream: ArrayLike) 
     kernel = _kernel("gradient", job)
     constants, varying = _constants(kernel, job), job.rows(kernel.varying)
     slopes = np.zeros_like(varying)
-    totals = np.zeros((job.chunks, len(kernel.totals)))
+    totals = np.zeros((job.chunks, len(kernel.printed.totals)))
 
     others = (constants, address(varying), job.count, *place(seed), address(slopes))
 
@@ -254,7 +254,7 @@ def vjp(model: Parametrised, wi: ArrayLike, wo: ArrayLike, upstream: ArrayLike) 
 
     job.run(work, gradients.room(kernel.printed))
     return job.gathered(
-        kernel.pullback(job.uniform, totals.sum(axis=0)), dict(zip(kernel.varying, slopes, strict=True))
+        kernel.uniform.pullback(job.uniform, totals.sum(axis=0)), dict(zip(kernel.varying, slopes, strict=True))
     )
 
 
@@ -266,12 +266,7 @@ class _Kernel:
     """A compiled driver, and the functions that connect its constants with parameters."""
 
     driver: Callable[..., None]
-    varying: tuple[tracing.TracedParameter, ...]
-    totals: tuple[tracing.Symbol, ...]
-    _uniform: tuple[tracing.TracedParameter, ...]
-    _constants: Callable[..., tuple[Any, ...]]
-    _pullback: Callable[..., tuple[Any, ...]]
-    _scalar: np.dtype[Any]
+    uniform: Uniform
     printed: Any
     code: Any
 
@@ -280,17 +275,15 @@ class _Kernel:
         """How many numbers the driver computes at a place."""
         return int(self.printed.width)
 
+    @property
+    def varying(self) -> tuple[tracing.TracedParameter, ...]:
+        """Parameters that the driver reads a row of."""
+        found: tuple[tracing.TracedParameter, ...] = self.printed.varying
+        return found
+
     def constants(self, value: Callable[[tracing.TracedParameter], float]) -> Array:
         """What the driver wants beforehand, from the values of parameters."""
-        with np.errstate(all="ignore"):
-            return np.array(self._constants(*(value(p) for p in self._uniform)), self._scalar)
-
-    def pullback(
-        self, value: Callable[[tracing.TracedParameter], float], totals: NDArray[np.float64]
-    ) -> dict[tracing.TracedParameter, float]:
-        """Derivatives by the uniform parameters from derivatives by the constants."""
-        slopes = self._pullback(*(value(p) for p in self._uniform), *totals.tolist())
-        return dict(zip(self._uniform, map(float, slopes), strict=True))
+        return self.uniform.constants(value)
 
 
 _kernels: dict[tuple[Any, ...], _Kernel] = {}
@@ -362,17 +355,10 @@ def _trace(kind: str, job: Job) -> tracing.Trace:
 def _made(kind: str, job: Job, trace: tracing.Trace) -> _Kernel:
     scalar = np.dtype(np.float64) if kind.endswith("numbers") else job.scalar
     printed = _PRINTERS[kind][0](trace, job.varying, scalar.name)
-    uniform = tuple(p for p in trace.parameters if p.slot not in job.varying)
-    names = {p.symbol: f"p{k}" for k, p in enumerate(uniform)}
-    seeds = {symbol: trace.graph.leaf(f"total[{k}]") for k, symbol in enumerate(printed.totals)}
-    slopes = tracing.adjoint(seeds, list(names))
-    zero = trace.graph.constant(0.0)
-    constants = numpy_code.function_of_numbers("constants", names, printed.constants)
-    names |= {seed: f"d{k}" for k, seed in enumerate(seeds.values())}
-    pullback = numpy_code.function_of_numbers("pullback", names, [slopes.get(p.symbol, zero) for p in uniform])
+    parameters = [p for p in trace.parameters if p.slot not in job.varying]
+    uniform = Uniform(trace, parameters, printed.constants, printed.totals, scalar)
     code = module(printed.source, f"the {kind} of {type(job.model).__name__} in {scalar.name}")
-    driver = getattr(code, printed.driver)
-    return _Kernel(driver, printed.varying, printed.totals, uniform, constants, pullback, scalar, printed, code)
+    return _Kernel(getattr(code, printed.driver), uniform, printed, code)
 
 
 def module(source: str, title: str) -> Any:
