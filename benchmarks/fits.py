@@ -11,6 +11,7 @@ from __future__ import annotations
 import subprocess
 import sys
 import tempfile
+import time
 import warnings
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -26,6 +27,7 @@ from timing import interleaved
 DATA = Path(__file__).resolve().parents[2] / "shared" / "data"
 MODEL = "oren_nayar + torrance_sparrow"
 MATERIAL = "pink-felt"
+SIZES = (300, 10_000, 100_000, 1_000_000)
 LARGE = 1_000_000  # values: fits of so many take seconds, and fewer rounds
 
 
@@ -87,6 +89,23 @@ def measurements(effort: Effort, skipped: list[str]) -> Iterator[tuple[str, str,
         yield "merl", f"MERL format, {MATERIAL}, 90 x 90 x 180 bins", data
 
 
+def by_size(effort: Effort, figures: dict[str, Number]) -> Table:
+    """Fits to measurements of growing size, each of them new: what is kept of one that was fitted before is found out, too."""
+    rows: list[list[str]] = []
+    for values in SIZES[: effort.pick(1, len(SIZES))]:
+        made = [simulated(values // 3, 3) for _ in range(effort.pick(1, 3 if values > LARGE // 4 else 7))]
+        motes.fit(simulated(values // 3, 3), MODEL)  # touches memory
+        wall, processor = [], []
+        for data in made:
+            start, cpu = time.perf_counter(), time.process_time()
+            motes.fit(data, MODEL)
+            wall.append(1e3 * (time.perf_counter() - start))
+            processor.append(1e3 * (time.process_time() - cpu))
+        figures[f"of_{values}"], figures[f"of_{values}_cpu"] = Number.of(wall), Number.of(processor)
+        rows.append([f"{values:,}", str(len(made)), f"{{of_{values}}}", f"{{of_{values}_cpu}}"])
+    return Table(["values of a new measurement", "rounds", "fit [ms]", "processor [ms]"], rows)
+
+
 def material_fits(effort: Effort) -> Section:
     """For each measurement our fit, our choice of a model, and SciPy's one start, in turn."""
     figures: dict[str, Number] = {}
@@ -115,6 +134,7 @@ def material_fits(effort: Effort) -> Section:
             names = ("values", "parameters", "rounds")
             row = [title, *(f"{{{key}_{name}:count}}" for name in names)]
             rows.append([*row, *(f"{{{key}_{name}}}" for name in ("fit", "auto", "scipy", "ratio", "ratio_cpu"))])
+        sizes = by_size(effort, figures)
     figures["small_fit_ms"] = figures["small_fit"].times(1e3)
     ratios = {name: f for name, f in figures.items() if name.endswith("_ratio")}
     least, most = (choose(ratios, key=lambda name: ratios[name].median) for choose in (min, max))
@@ -141,7 +161,8 @@ def material_fits(effort: Effort) -> Section:
                     "by processor time",
                 ],
                 rows,
-            )
+            ),
+            sizes,
         ],
         goals=[Goal("a fit of 300 values, from all starts", "small_fit_ms", 8, at_least=False, unit=" ms")],
         reading=[

@@ -1,0 +1,30 @@
+"""Order statistics by a look at a few numbers first: those of a sort, whatever order or repeats the numbers have."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from motes.arrays import median, sorted_part
+
+rng = np.random.default_rng(4)
+NUMBERS = {
+    "few": rng.normal(size=7),
+    "many": rng.normal(size=50_001),
+    "even": rng.exponential(size=20_000),
+    "sorted": np.sort(rng.normal(size=30_000)),
+    "periodic": np.tile(np.arange(24.0), 2000),  # what is drawn says nothing of the rest
+    "alike": np.ones(10_000),
+    "places": np.round(rng.normal(size=40_000), 1),
+}
+
+
+@pytest.mark.parametrize("numbers", NUMBERS.values(), ids=NUMBERS.keys())
+def test_parts_and_medians_are_those_of_sorted_numbers(numbers: NDArray[np.float64]) -> None:
+    whole = np.sort(numbers)
+    count = len(numbers)
+    for first in (0, 1, count // 5, count // 2, count - 3):
+        last = min(count - 1, first + 64)
+        np.testing.assert_array_equal(np.sort(sorted_part(numbers, first, last)), whole[first : last + 1])
+    assert median(numbers) == np.median(numbers)

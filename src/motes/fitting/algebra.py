@@ -85,7 +85,7 @@ def with_diagonal(matrix: Array, diagonal: Array) -> Array:
     """A copy of the matrix with another diagonal."""
     result = matrix.copy()
     if _is_numbers(matrix):
-        np.einsum("ppb->pb", result)[...] = diagonal
+        result.reshape(-1, result.shape[2])[:: len(result) + 1] = diagonal
         return result
     for k in range(len(result)):
         result[k, k] = diagonal[k]

@@ -20,18 +20,19 @@ from motes.fitting.solver import Normal
 from motes.kernels.separated import Separated
 
 # Elements of a pass that are worked on at a time: few enough that all of them stay in cache.
-CHUNK = 1 << 15
+CHUNK = 1 << 16
 
 
 class _Sums(NamedTuple):
-    """Over samples, for B vectors: products of the K functions and the residuals of C channels with each other (B, K + C, K + C); and what the products of
-    those functions that are clamped with all functions and with a residual have where the clamp acts (B, C, F', K + 1), if anywhere."""
+    """Over samples, for B vectors: products of the K functions and the residuals of C channels with these residuals and with the M functions that hold
+    parameters (B, K + C, M + C); and what the products of functions that are clamped with all functions and with a residual have where the clamp acts
+    (B, C, F', K + 1), if anywhere."""
 
-    all: Floats
+    moving: Floats
     clamped: Floats | float
 
     def with_(self, other: _Sums) -> _Sums:
-        return _Sums(self.all + other.all, self.clamped + other.clamped)
+        return _Sums(self.moving + other.moving, self.clamped + other.clamped)
 
 
 @dataclass(frozen=True)
@@ -63,6 +64,11 @@ class ByFunctions:
     def weighted(self) -> Floats:
         return self.fixed * self.weights
 
+    @cached_property
+    def gram(self) -> Floats:
+        """Products of the functions without parameters (F, F)."""
+        return np.asarray(self.weighted @ self.weighted.T)
+
     def _coefficients(self, parameters: dict[str, Any], batch: int) -> tuple[Floats, Floats]:
         """Of the model (B, C, F + M) and of its derivatives (B, C, F + M, K)."""
         shape = (batch, len(self.targets), self.made.fixed + self.made.mixed)
@@ -75,8 +81,8 @@ class ByFunctions:
                 derivatives[:, :, b, k] = found[q]
         return values, derivatives
 
-    def _rows(self, parameters: dict[str, Any], rows: slice, values: Floats) -> tuple[Floats, Floats]:
-        """All functions and residuals (B, K + C, n), and what is clamped (B, C, n)."""
+    def _rows(self, parameters: dict[str, Any], rows: slice, values: Floats) -> tuple[Floats, Floats | None]:
+        """All functions and residuals (B, K + C, n), and what is clamped (B, C, n) where any of it is below 0."""
         made, weights = self.made, self.weights[rows]
         batch, channels, functions = values.shape
         whole = np.empty((batch, functions + channels, len(weights)))
@@ -85,10 +91,12 @@ class ByFunctions:
         for k, b in enumerate(made.functions(tuple(column[rows] for column in self.columns), parameters), made.fixed):
             np.multiply(b, weights, out=whole[:, k])
         residual = np.subtract(values @ whole[:, :functions], self.targets[:, rows], out=whole[:, functions:])
-        of_clamp = values[:, :, : made.clamped] @ fixed[: made.clamped]
-        if made.clamped and of_clamp.min() < 0:
-            residual -= np.minimum(of_clamp, 0.0)
-        return whole, of_clamp
+        if made.clamped:
+            of_clamp = values[:, :, : made.clamped] @ fixed[: made.clamped]
+            if np.minimum.reduce(of_clamp, axis=None) < 0:
+                residual -= np.minimum(of_clamp, 0.0)
+                return whole, of_clamp
+        return whole, None
 
     def normal(self, parameters: dict[str, Any], batch: int) -> Normal:
         """Objectives and normal equations; `parameters` (B, C) or (B, 1)."""
@@ -97,9 +105,13 @@ class ByFunctions:
 
         def part(rows: slice) -> _Sums:
             whole, of_clamp = self._rows(parameters, rows, values)
-            clamped = self._where_clamped(whole, of_clamp) if of_clamp.size and of_clamp.min() < 0 else 0.0
-            # A product with a copy: one with itself goes another way in NumPy, which takes three times as long for so few rows.
-            return _Sums(whole @ np.swapaxes(whole.copy(), 1, 2), clamped)
+            clamped = 0.0 if of_clamp is None else self._where_clamped(whole, of_clamp)
+            moving = whole[:, self.made.fixed :]
+            if (
+                not self.made.fixed
+            ):  # an array times itself goes another way in NumPy, which takes three times as long for so few rows
+                moving = moving.copy()
+            return _Sums(whole @ np.swapaxes(moving, 1, 2), clamped)
 
         with np.errstate(all="ignore"):
             parts = in_passes(part, count, batch * channels, CHUNK)
@@ -121,7 +133,13 @@ class ByFunctions:
 
     def _assembled(self, sums: _Sums, derivatives: Floats) -> Normal:
         _, channels, functions, _ = derivatives.shape
-        products = sums.all[:, None, :functions]  # of functions with functions and residuals
+        moving, f, held = sums.moving, self.made.fixed, functions - self.made.fixed
+        products = np.empty(
+            (len(moving), 1, functions, functions + channels)
+        )  # of functions with functions and residuals
+        products[:, 0, :f, :f] = self.gram
+        products[:, 0, f:, :f] = np.swapaxes(moving[:, :f, :held], 1, 2)
+        products[:, 0, :, f:] = moving[:, :functions]
         own, at = np.arange(channels), np.arange(functions, functions + channels)
         if not isinstance(sums.clamped, float):
             gone, c = np.asarray(sums.clamped), self.made.clamped
@@ -132,7 +150,7 @@ class ByFunctions:
         along = np.swapaxes(derivatives, 2, 3) @ products  # (B, C, P', K + C)
         matrix = along[..., :functions] @ derivatives
         gradient = along[..., functions] if channels == 1 else np.moveaxis(along[:, own, :, at], 0, 1)
-        objective = 0.5 * sums.all.diagonal(0, 1, 2)[:, functions:].sum(axis=1)
+        objective = 0.5 * np.add.reduce(moving[:, functions:, held:].diagonal(0, 1, 2), axis=1)
         return Normal(objective, self.layout.vector(gradient), self.layout.matrix(matrix))
 
     def predicted(self, parameters: dict[str, Any]) -> Floats:
@@ -165,14 +183,14 @@ class ByFunctions:
         leverages = derivatives[0] @ own @ along  # (C, F + M, F + M)
 
         def part(rows: slice) -> Floats:
-            (whole,), (of_clamp,) = self._rows(parameters, rows, values)
+            (whole,), of_clamp = self._rows(parameters, rows, values)
             among = len(whole) - channels
             found = np.empty((channels, among, among))
             for c in range(channels):
                 functions = whole[:among]
-                if made.clamped and of_clamp[c].min() < 0:
+                if of_clamp is not None:
                     functions = functions.copy()
-                    functions[: made.clamped] *= of_clamp[c] >= 0
+                    functions[: made.clamped] *= of_clamp[0, c] >= 0
                 along = leverages[c] @ functions
                 along *= functions
                 misses = whole[among + c] / np.maximum(1 - np.add.reduce(along, axis=0), LEAST_REMAINDER)

@@ -12,6 +12,8 @@ from motes.fitting.losses import Floats
 from motes.measurements import Measurement
 
 Part = TypeVar("Part")
+# Of so many elements a pass is worth sharing.
+SHARED = 1 << 15
 # Of fewer values what a pass over them finds out is there before another thread has begun with it.
 MANY = 30_000
 
@@ -19,8 +21,10 @@ MANY = 30_000
 def in_passes(work: Callable[[slice], Part], directions: int, each: int, chunk: int) -> list[Part]:
     """`work` on slices of the directions, in their order; `each` is the number of elements at one of them, `chunk` how many are worked on at a time."""
     step = max(64, chunk // max(1, each))
-    if each * directions >= chunk // 4:  # worth sharing; the same slices on any machine
+    if each * directions >= SHARED:  # the same slices on any machine
         step = min(step, -(-directions // 4))
+    elif directions <= 2 * step:
+        step = max(1, directions)
     return in_slices(work, directions, step)
 
 

@@ -124,33 +124,32 @@ def minimize(
 
     with np.errstate(all="ignore"):
         for _ in range(max_iterations):
-            at = At(lanes.x, lanes.objective, lanes.gradient, lanes.matrix.transpose(1, 2, 0))
-            stopped = levenberg.held(algebra, at, box, lanes.fixed, lanes.bright)
+            here, damped, bright = lanes.x, lanes.damping, lanes.bright
+            at = At(here, lanes.objective, lanes.gradient, lanes.matrix.transpose(1, 2, 0))
+            stopped = levenberg.held(algebra, at, box, lanes.fixed, bright)
             step, scale = None, levenberg.scale_of(algebra, at.matrix, box)
             for _round in range(levenberg.ROUNDS):
-                step, stopped, leaving = levenberg.bounded_step(
-                    algebra, at, lanes.damping.size, box, stopped, step, scale
-                )
-                if not leaving.any():
+                step, stopped, leaving = levenberg.bounded_step(algebra, at, damped.size, box, stopped, step, scale)
+                if not np.count_nonzero(leaving):
                     break
             assert step is not None
-            moved, promised, ending = levenberg.proposal(algebra, at, lanes.damping, step, box, precision, lanes.bright)
-            last = moved if not settled else np.where(promised < settled * lanes.objective, lanes.x, moved)
+            moved, promised, ending = levenberg.proposal(algebra, at, damped, step, box, precision, bright)
+            last = moved if not settled else np.where(promised < settled * at.objective, here, moved)
             if spare is not None:  # these stay where they are
-                superfluous = spare(lanes.x.T, lanes.objective, iterations[running])
-                if superfluous.any():
-                    last = np.where(superfluous, lanes.x, last)
+                superfluous = spare(here.T, at.objective, iterations[running])
+                if np.count_nonzero(superfluous):
+                    last = np.where(superfluous, here, last)
                     ending = np.where(superfluous, _GIVEN_UP, ending)
-            ended = ending != 0
-            if ended.any():
+            if np.count_nonzero(ending):
+                ended = ending != 0
                 endings[running[ended]] = ending[ended].astype(np.intp)
                 lanes, running = end(ended, last), running[~ended]
                 if not len(running):
                     break
-                moved, promised = moved[:, ~ended], promised[~ended]
+                moved, promised, damped = moved[:, ~ended], promised[~ended], lanes.damping
             iterations[running] += 1
             new = at_rows(moved.T, running)
-            verdict = levenberg.judged(algebra, lanes.objective, new.objective, promised, lanes.damping, precision)
+            verdict = levenberg.judged(algebra, lanes.objective, new.objective, promised, damped, precision)
             lanes = lanes.after(moved, new, verdict.better > 0, verdict.damping)
         if len(running):
             end(np.ones(len(running), bool), lanes.x)
@@ -213,7 +212,7 @@ class _Lanes(NamedTuple):
         numbers = self.numbers.copy()
         size = self.matrix.shape[1]
         numbers[-4], numbers[-3], numbers[-2] = damping
-        if better.all():
+        if np.count_nonzero(better) == len(better):
             numbers[:size], numbers[size : 2 * size], numbers[-5] = moved, new.gradient.T, new.objective
             return _Lanes(numbers, new.matrix)
         for part, now in (

@@ -161,16 +161,16 @@ def _grey(data: Measurement) -> tuple[Floats, Floats, Floats]:
 def _explained(wi: Floats, wo: Floats, f: Floats) -> tuple[float, float]:
     """Of f cos(theta_i): the squared residuals of the best sum of simple lobes with weights >= 0, as a share of the squares, and the share of
     the highlights in what is explained."""
-    cos_i, cos_r = wi[:, 2], wo[:, 2]
-    sin_i, sin_r = np.sqrt(1 - cos_i**2), np.sqrt(1 - cos_r**2)
+    cos_i, cos_r = np.ascontiguousarray(wi[:, 2]), np.ascontiguousarray(wo[:, 2])
     cross = wi[:, 0] * wo[:, 0] + wi[:, 1] * wo[:, 1]  # sin sin cos(dphi)
-    wh = wi + wo
-    theta_h = directions.theta(wh)
-    lobes = [np.ones_like(f), np.maximum(cross, 0) / np.maximum(cos_i, cos_r), sin_i**2 * sin_r**2]
-    lobes += [np.exp(-((theta_h / width) ** 2)) / (4 * cos_i * cos_r) for width in WIDTHS]
-    matrix, target = np.stack(lobes, axis=1) * cos_i[:, None], f * cos_i
-    scale = np.linalg.norm(matrix, axis=0)
-    matrix = matrix / np.maximum(scale, 1e-300)
+    lobes = np.empty((3 + len(WIDTHS), len(f)))
+    lobes[0] = 1.0
+    lobes[1] = np.maximum(cross, 0) / np.maximum(cos_i, cos_r)
+    lobes[2] = (1 - cos_i**2) * (1 - cos_r**2)
+    lobes[3:] = np.exp(-((directions.theta(wi + wo) / np.array(WIDTHS)[:, None]) ** 2)) / (4 * cos_i * cos_r)
+    lobes *= cos_i
+    lobes /= np.maximum(np.sqrt(np.einsum("kn,kn->k", lobes, lobes)), 1e-300)[:, None]
+    matrix, target = lobes.T, f * cos_i
     # Lobes may be alike; the ridge takes the smallest weights then.
     gram, onto = matrix.T @ matrix + RIDGE * np.eye(matrix.shape[1]), matrix.T @ target
     used = np.ones(matrix.shape[1], bool)
