@@ -32,6 +32,8 @@ FEW = 6
 BLOCK = 2048
 #: Models of more channels are not printed channel by channel.
 CHANNELS = 64
+# What arrays' own methods call, some calls later.
+_least, _most = np.minimum.reduce, np.maximum.reduce
 _SCALARS = (np.dtype(np.float32), np.dtype(np.float64))
 
 
@@ -143,7 +145,8 @@ class _Ready:
     def blocks(self, a: Array, b: Array, scalar: np.dtype[Any]) -> list[Array] | None:
         """The same for many directions, some at a time."""
         count = len(a)
-        inputs = np.empty((3 + self.second, min(count, BLOCK)), scalar)
+        size = min(count, BLOCK)
+        inputs = np.empty((3 + self.second, size), scalar)
         found = [np.empty((count, n) if n else count, scalar) for n in self._widths]
         columns = [column for x in found for column in (x.T if x.ndim > 1 else [x])]
         constants = self.constants(scalar, rows=True)
@@ -154,19 +157,20 @@ class _Ready:
             rows[:3], rows[3:] = a[start:end].T, b[start:end].T
             if not _fits(rows):
                 return None
-            above = not self._sampling and bool(rows[2::3].min() > HORIZON)
+            above = not self._sampling and bool(_least(rows[2]) > HORIZON and _least(rows[5]) > HORIZON)
             function, numbers, truths = self._formula.of_rows(scalar, above)
             if above not in rooms:
-                size = inputs.shape[1]
                 rooms[above] = np.empty((numbers, size), scalar), np.empty((truths, size), np.bool_)
-            room = (x[:, : end - start] for x in rooms[above])
-            function(*room, [column[start:end] for column in columns], *rows, *constants)
+            whole = end - start == size
+            room = rooms[above] if whole else [x[:, : end - start] for x in rooms[above]]
+            function(*room, columns if count == size else [x[start:end] for x in columns], *rows, *constants)
         return found
 
 
 def _fits(rows: Array) -> bool:
     """Whether no component is beyond that of a unit vector; NaN may pass."""
-    return bool(max(rows.max(), -rows.min()) <= LONGEST) or not (np.abs(rows) > LONGEST).any()
+    flat = rows.ravel()
+    return bool(max(_most(flat), -_least(flat)) <= LONGEST) or not (np.abs(rows) > LONGEST).any()
 
 
 _formulas: dict[Any, Formula] = {}

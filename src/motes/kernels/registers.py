@@ -65,7 +65,12 @@ class _Names:
         self.free.append(int(name[len(self.prefix) :]))
 
 
-def program(outputs: Sequence[Symbol], given: Mapping[Symbol, str], constant: Callable[[float | bool], str]) -> Program:
+def program(
+    outputs: Sequence[Symbol],
+    given: Mapping[Symbol, str],
+    constant: Callable[[float | bool], str],
+    row: Callable[[float], str] | None = None,
+) -> Program:
     """The operations that `outputs` need, each a call.
 
     Parameters
@@ -76,6 +81,8 @@ def program(outputs: Sequence[Symbol], given: Mapping[Symbol, str], constant: Ca
         The text of the symbols that are there already, rows or numbers; they are not written to.  Truth values among them are no rows.
     constant
         The text of a number or a truth value.
+    row
+        The text of a row that holds a number everywhere: NumPy takes a minimum or maximum with one in half the time that it takes with a number.
     """
     order = [symbol for symbol in live(outputs, given) if symbol not in given]
     last = {a: k for k, symbol in enumerate(order) for a in symbol.args}
@@ -95,12 +102,14 @@ def program(outputs: Sequence[Symbol], given: Mapping[Symbol, str], constant: Ca
             lines += more
             kind = kinds["numbers"]
         else:
-            arguments = ", ".join(text[a] for a in symbol.args)
+            extremum = symbol.op in ("minimum", "maximum")
+            rows = {a: row(a.value) for a in symbol.args if a.op == "constant"} if extremum and row is not None else {}
+            arguments = ", ".join(rows.get(a) or text[a] for a in symbol.args)
             for a in ends:  # a result may be written where an argument was: number by number, each is read first
                 held.pop(a).give_back(text[a])
             kind = kinds["truths" if symbol.op in _TRUTHS else "numbers"]
             name = kind.take()
-            target = f"out={name}" if symbol.op in ("minimum", "maximum") else name
+            target = f"out={name}" if extremum else name
             lines.append(f"{CALLS[symbol.op]}({arguments}, {target})")
         text[symbol], held[symbol] = name, kind
     return Program(

@@ -77,16 +77,39 @@ class Formula:
         key = (scalar, which, "rows")
         if key not in self._made:
             pool: dict[float, str] = {}
-            rows = program(self._outputs[which], self._given, lambda value: _named(pool, value))
+            full: dict[float, str] = {}
+            rows = program(
+                self._outputs[which],
+                self._given,
+                lambda value: _named(pool, value),
+                lambda value: full.setdefault(value, f"w{len(full)}"),
+            )
             kinds = (("r", rows.numbers, "numbers"), ("m", rows.truths, "truths"))
             unpacked = [f"{''.join(f'{x}{k}, ' for k in range(n))}= {what}" for x, n, what in kinds if n]
+            unpacked += [f"{name} = all_{name}({self._arguments[0]}.size)" for name in full.values()]
             stored = [f"out[{c}][...] = {result}" for c, result in enumerate(rows.results)]
             takes = ["numbers", "truths", "out", *self._arguments]
             source = numpy_code.function("formula", takes, [*unpacked, *rows.lines, *stored], ["out"])
-            function = _function(source, pool, lambda value: np.array(value, scalar), _OF_ROWS)
+            wide = {f"all_{name}": _Everywhere(value, scalar).row for value, name in full.items()}
+            function = _function(source, pool, lambda value: np.array(value, scalar), _OF_ROWS | wide)
             self._made[key] = function, rows.numbers, rows.truths
         made: tuple[Function, int, int] = self._made[key]
         return made
+
+
+class _Everywhere:
+    """Rows that hold a number everywhere; nobody writes to them."""
+
+    def __init__(self, value: float, scalar: np.dtype[Any]) -> None:
+        self._longest = np.full(0, value, scalar)
+        self._value = value
+
+    def row(self, size: int) -> Array:
+        """So long a row, of one that is kept."""
+        longest = self._longest
+        if longest.size < size:
+            longest = self._longest = np.full(size, self._value, longest.dtype)
+        return longest[:size]
 
 
 def _named(pool: dict[float, str], value: float | bool) -> str:
