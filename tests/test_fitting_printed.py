@@ -266,6 +266,11 @@ def _bundle(kind, *pairs):
     return tuple(kind(*(pair[k] for pair in pairs)) for k in range(2))
 
 
+def _step(algebra, at, damping, box, stopped, given):
+    scale = levenberg.scale_of(algebra, at.matrix, box)
+    return levenberg.bounded_step(algebra, at, damping, box, stopped, given, scale)
+
+
 def test_the_steps_of_an_iteration_are_printed_as_numpy_runs_them() -> None:
     both = _Both()
     bright, damping = both.scalar("bright", 1, 2), both.scalar("damping", 1e-4, 1)
@@ -281,9 +286,8 @@ def test_the_steps_of_an_iteration_are_printed_as_numpy_runs_them() -> None:
     state = _bundle(levenberg.Damping, damping, growth, idle)
     precision = _bundle(levenberg.Precision, reduction, noise)
     both.same(levenberg.held, at, box, both.none, bright)
-    scale = both.of("scale", 1 / np.sqrt(np.einsum("ppb->pb", both.matrix[0])))
-    both.same(levenberg.scale_of, both.matrix, box)
-    both.same(levenberg.bounded_step, at, damping, box, stopped, given, scale)
+    both.same(levenberg.diagonal_of, both.matrix, box)
+    both.same(_step, at, damping, box, stopped, given)
     both.same(levenberg.proposal, at, state, given, box, precision, bright)
     both.same(levenberg.judged, objective, trial, promised, state, precision)
     both.same(levenberg.polished, both.x, objective, ending, both.gradient, both.middle, both.one, box)

@@ -48,6 +48,12 @@ class Algebra(Protocol):
     def solve(self, matrix: Array, right: Array) -> Array:
         """The solution of matrix solution = right, for a positive matrix with a diagonal of about 1."""
 
+    def scale(self, diagonal: Array) -> Array:
+        """What `damped` takes of a diagonal."""
+
+    def damped(self, matrix: Array, right: Array, free: Array, damping: Array, scale: Array) -> Array:
+        """The solution of (matrix + damping diagonal) solution = right for what is free (1 or 0), 0 elsewhere; the diagonal is that which `scale` was given."""
+
     def inverse(self, matrix: Array) -> Array:
         """The inverse of a positive matrix with a diagonal of 1; where it is singular, of size 1/`LEAST_PIVOT` along what is missing."""
 
@@ -122,6 +128,15 @@ class Arrays:
         if not math.isfinite(np.add.reduce(solved, axis=None)):
             solved = np.where(np.isfinite(solved), solved, rights)
         return solved.T
+
+    def scale(self, diagonal: Array) -> Array:
+        """Parameters at which the matrix has a diagonal of 1."""
+        return np.asarray(1.0 / np.sqrt(diagonal))
+
+    def damped(self, matrix: Array, right: Array, free: Array, damping: Array, scale: Array) -> Array:
+        scaling = scale * free
+        scaled = with_diagonal(matrix * outer(scaling), 1.0 + free * damping)
+        return self.solve(scaled, right * scaling) * scale
 
     def inverse(self, matrix: Array) -> Array:
         size = len(matrix)

@@ -15,7 +15,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from motes.arrays import Array
-from motes.fitting.algebra import Algebra, absolute, chosen, flag, outer, with_diagonal
+from motes.fitting.algebra import Algebra, absolute, chosen, flag
 from motes.fitting.verdicts import Status
 
 FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 1e-3, 1e-10, 1e12
@@ -120,12 +120,17 @@ def held(algebra: Algebra, at: At, box: Box, fixed: Array, brightness: Array) ->
     return algebra.maximum(algebra.maximum(unseen, fixed), algebra.maximum(at_low, at_high))
 
 
-def scale_of(algebra: Algebra, matrix: Array, box: Box) -> Array:
-    """Parameters (P, B) at which the matrix has a diagonal of 1: Marquardt's scale."""
+def diagonal_of(algebra: Algebra, matrix: Array, box: Box) -> Array:
+    """The diagonal of the matrix (P, B), nothing of it negligible: that of Marquardt's damping."""
     diagonal = algebra.diagonal(matrix)
     square = box.unit * box.unit  # diagonals of other units are compared in theirs
     floor = algebra.maximum(1e-20 * algebra.largest(diagonal * square) / square, 1e-300)
-    return 1.0 / algebra.sqrt(algebra.maximum(diagonal, floor))
+    return algebra.maximum(diagonal, floor)
+
+
+def scale_of(algebra: Algebra, matrix: Array, box: Box) -> Array:
+    """What `bounded_step` is given of a matrix."""
+    return algebra.scale(diagonal_of(algebra, matrix, box))
 
 
 def bounded_step(
@@ -137,9 +142,7 @@ def bounded_step(
     """
     free = 1.0 - stopped
     against = at.gradient if given is None else at.gradient + algebra.times(at.matrix, stopped * given)
-    scaling = scale * free
-    scaled = with_diagonal(at.matrix * outer(scaling), 1.0 + free * damping)
-    solved = algebra.solve(scaled, -(against * scaling)) * scale
+    solved = algebra.damped(at.matrix, -against, free, damping, scale)
     wanted = solved if given is None else chosen(algebra, stopped, given, solved)
     within = algebra.minimum(algebra.maximum(wanted, box.low - at.x), box.high - at.x)
     leaves = free * algebra.maximum(

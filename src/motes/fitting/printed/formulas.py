@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from motes.fitting.algebra import LEAST_PIVOT
+from motes.fitting.algebra import LEAST_PIVOT, outer, with_diagonal
 from motes.graph.symbols import Graph, Symbol
 
 Formula = NDArray[np.object_]
@@ -86,8 +86,19 @@ class Formulas:
     def times(self, matrix: Formula, vector: Formula) -> Formula:
         return np.array([self.total(row * vector)[0] for row in matrix], object)
 
+    def scale(self, diagonal: Formula) -> Formula:
+        """The diagonal itself: roots of it, and products with them, would take half as long as the solution."""
+        return diagonal
+
+    def damped(self, matrix: Formula, right: Formula, free: Formula, damping: Formula, scale: Formula) -> Formula:
+        within = with_diagonal(matrix * outer(free), scale * (1.0 + free * damping))
+        return self._solved(within, right * free, LEAST_DAMPED_PIVOT * scale)
+
     def solve(self, matrix: Formula, right: Formula) -> Formula:
-        """By L D L', with pivots of at least `LEAST_DAMPED_PIVOT`."""
+        return self._solved(matrix, right, np.array([self.graph.constant(LEAST_DAMPED_PIVOT)] * len(right), object))
+
+    def _solved(self, matrix: Formula, right: Formula, least: Formula) -> Formula:
+        """By L D L', with pivots of at least `least`."""
         size = len(right)
         rows: list[list[Any]] = []
         inverse: list[Any] = []
@@ -104,7 +115,7 @@ class Formulas:
             for a, u in zip(row, unit, strict=True):
                 pivot = pivot - a * u
             rows.append(unit)
-            inverse.append(1 / self.graph.maximum(pivot, LEAST_DAMPED_PIVOT))
+            inverse.append(1 / self.graph.maximum(pivot, least[i]))
             a = right[i]
             for k in range(i):
                 a = a - unit[k] * z[k]
