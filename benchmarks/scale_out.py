@@ -19,7 +19,7 @@ COLUMNS = ("rate", "share", "efficiency")
 
 def scale_out(effort: Effort) -> Section:
     """Both measurements of scaling.py."""
-    size, times, repeat, tasks = effort.pick((64, 1, 1, 100), (512, 4, 5, 10_000))
+    size, times, repeat, tasks = effort.pick((64, 1, 1, 100), (512, 8, 4, 10_000))
     return report(scaling.efficiency(size, times, repeat), scaling.scheduler_load(tasks), repeat)
 
 

@@ -1,6 +1,6 @@
 """How the fit of a map scales over worker processes, and what a task costs the scheduler.
 
-usage: python benchmarks/scaling.py [--size 512] [--times 4] [--repeat 5] [--tasks 10000] [--json]
+usage: python benchmarks/scaling.py [--size 512] [--times 8] [--repeat 4] [--tasks 10000] [--json]
 
 Efficiency: a map is fitted by 1 and by 2 workers of one thread in turn, and the ratio is the median time of one over twice the median time of two; kernels
 are compiled and loaded before.  Two processes that share the blocks without a scheduler show what the machine itself allows.  Scheduler: a scheduler in a
@@ -11,6 +11,7 @@ and have two cores free.
 from __future__ import annotations
 
 import argparse
+import itertools
 import json
 import os
 import statistics
@@ -18,6 +19,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import ExitStack
 from multiprocessing import get_context
@@ -33,11 +35,12 @@ from motes.maps.work import DONE, Outcome, work_on
 MODEL = "oren_nayar + torrance_sparrow"
 WORKERS = (1, 2)
 KINDS = ("workers", "processes")
+FIRST = 4  # blocks for each of them, before those that count: kernels are loaded
 
 
-def nothing(path: str, run: str, block: tuple[int, int]) -> Outcome:
+def nothing(path: str, run: str, blocks: Sequence[tuple[int, int]]) -> list[Outcome]:
     """A task that does nothing."""
-    return Outcome(block, DONE, 0)
+    return [Outcome(block, DONE, 0) for block in blocks]
 
 
 def seconds(client: Any, fitted: maps.FittedMap, blocks: list[tuple[int, int]], work: Any = cluster.work_on) -> float:
@@ -52,8 +55,7 @@ def seconds(client: Any, fitted: maps.FittedMap, blocks: list[tuple[int, int]], 
 
 def alone(path: str, run: str, blocks: list[tuple[int, int]]) -> None:
     """Blocks in a process that no scheduler tells what to do."""
-    for block in blocks:
-        assert work_on(path, run, block).kind == DONE
+    assert all(outcome.kind == DONE for outcome in work_on(path, run, blocks))
 
 
 def told(environment: dict[str, str]) -> None:
@@ -79,25 +81,29 @@ def of_processes(pools: list[ProcessPoolExecutor], fitted: maps.FittedMap, block
 
 def efficiency(size: int, times: int, repeat: int) -> dict[str, Any]:
     """Times with one and with two workers, and with one and with two processes alone, in turn; each fills a store of its own."""
-    with places.fresh() as folder, ExitStack() as stack:
+    with places.fresh() as folder:
         source = maps.simulate_map(folder / "map.zarr", (size, size), times=times, chunk=64)
         fitted = maps.fit_map(source, MODEL, out=folder / "fit.zarr")  # compiles, finds starts
         reference = fitted.read_map("K_d").tobytes()
         blocks = list(fitted.blocks)
-        clients = {n: cluster._client(stack, None, n) for n in WORKERS}
-        pools = [started(stack) for _ in range(max(WORKERS))]
         taken: dict[str, dict[int, list[float]]] = {kind: {n: [] for n in WORKERS} for kind in KINDS}
-        for k in range(1 + repeat):  # the first round loads the kernels
-            for n, client in clients.items():
-                for kind in KINDS:
-                    out = open_fitted(places.emptied(fitted.path, folder / f"{kind}-{n}-{k}.zarr"), mode="r+")
+        for k in range(repeat):
+            for n, kind in itertools.product(WORKERS, KINDS):
+                first, out = (
+                    open_fitted(places.emptied(fitted.path, folder / f"{what}-{kind}-{n}-{k}.zarr"), mode="r+")
+                    for what in ("first", "all")
+                )
+                with ExitStack() as alive:  # no other worker or process beside them
                     if kind == "workers":
+                        client = cluster._client(alive, None, n)
+                        seconds(client, first, blocks[: FIRST * n])
                         took = seconds(client, out, blocks)
                     else:
-                        took = of_processes(pools[:n], out, blocks)
-                    assert out.read_map("K_d").tobytes() == reference
-                    if k:
-                        taken[kind][n].append(took)
+                        pools = [started(alive) for _ in range(n)]
+                        of_processes(pools, first, blocks[: FIRST * n])
+                        took = of_processes(pools, out, blocks)
+                assert out.read_map("K_d").tobytes() == reference
+                taken[kind][n].append(took)
         fits = size * size * times
         middle = {kind: {n: statistics.median(taken[kind][n]) for n in WORKERS} for kind in KINDS}
         return {
@@ -140,6 +146,8 @@ def scheduler_load(tasks: int) -> dict[str, Any]:
         client.wait_for_workers(2, timeout=60)
         import scaling  # by this name the workers find the task
 
+        together, cluster.MOST_TOGETHER = cluster.MOST_TOGETHER, 1  # a task for each block
+        stack.callback(setattr, cluster, "MOST_TOGETHER", together)
         seconds(client, fitted, [(0, k) for k in range(100)], scaling.nothing)
         before, memory_before = used(scheduler.pid)
         took = seconds(client, fitted, [(1, k) for k in range(tasks)], scaling.nothing)
@@ -160,8 +168,8 @@ def scheduler_load(tasks: int) -> dict[str, Any]:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--size", type=int, default=512)
-    parser.add_argument("--times", type=int, default=4)
-    parser.add_argument("--repeat", type=int, default=5)
+    parser.add_argument("--times", type=int, default=8)
+    parser.add_argument("--repeat", type=int, default=4)
     parser.add_argument("--tasks", type=int, default=10_000)
     parser.add_argument("--json", action="store_true")
     a = parser.parse_args()

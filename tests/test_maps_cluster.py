@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections import Counter
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
@@ -24,6 +25,7 @@ import maps_support as support
 from motes import maps
 from motes.errors import MotesError
 from motes.maps import cluster
+from motes.maps.work import DONE, Outcome
 
 SECONDS = 120
 BLOCK = (4, 4)
@@ -90,12 +92,14 @@ def test_two_processes_and_one_killed_give_the_bits_of_one(
     paint: Path, alone: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     killed: list[int] = []
+    tasks: list[list[tuple[int, int]]] = []
     submitted, ended, most = 0, 0, 0
     real = distributed.Client.map
 
     def counted(self: distributed.Client, function: Any, *lists: list[Any], **options: Any) -> Any:
         nonlocal submitted, most
-        submitted += len(lists[0])
+        tasks.extend(lists[2])
+        submitted += sum(map(len, lists[2]))
         most = max(most, submitted - ended)
         return real(self, function, *lists, **options)
 
@@ -111,9 +115,14 @@ def test_two_processes_and_one_killed_give_the_bits_of_one(
 
     out = maps.fit_map(paint, "lambert", out=tmp_path / "b.zarr", block=BLOCK, workers=2, progress=progress)
     assert killed
-    # Submitted as others end, never all at once; again only what died with the worker before it was fetched.
-    assert 36 <= submitted <= 36 + 2 * cluster.MOST_IN_FLIGHT
-    assert most <= 2 * cluster.MOST_IN_FLIGHT + 1 + submitted - 36
+    # Submitted as others end, never all at once, ever fewer together; again only what died with the worker before it was fetched, each alone.
+    first, seen = [task for task in tasks if len(task) > 1], Counter(block for task in tasks for block in task)
+    assert [len(task) for task in tasks[:4]] == [9, 6, 5, 4]
+    assert sum(map(len, first)) < 36 == len(seen)
+    again = [block for block, count in seen.items() if count > 1]
+    assert len(again) <= sum(sorted(map(len, tasks))[-2 * cluster.MOST_IN_FLIGHT :])
+    assert all(sum(block in task for task in first) <= 1 for block in again)
+    assert most < 36 + len(again)
     assert out.failures == ()
     assert support.contents(out.path) == support.contents(alone)
 
@@ -123,16 +132,17 @@ def test_a_result_that_dies_with_its_worker_is_made_again(
     paint: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, times: int
 ) -> None:
     """A worker may end a block and die before its word is fetched; one that always does is given up, and said."""
-    real, seen = cluster._outcome, 0
+    real, seen = cluster._outcomes, 0
 
-    def lost(future: Any, block: tuple[int, int], *rest: Any) -> Any:
+    def lost(future: Any, task: list[tuple[int, int]], *rest: Any) -> Any:
         nonlocal seen
-        if block == (1, 1) and seen < times:
+        if (1, 1) in task and seen < times:
+            assert (len(task) == 1) == (seen > 0)  # alone, so that it takes no other block with it
             seen += 1
             return None
-        return real(future, block, *rest)
+        return real(future, task, *rest)
 
-    monkeypatch.setattr(cluster, "_outcome", lost)
+    monkeypatch.setattr(cluster, "_outcomes", lost)
     out = maps.fit_map(paint, "lambert", out=tmp_path / "b.zarr", block=BLOCK, workers=1)
     if times == 1:
         assert out.failures == ()
@@ -140,6 +150,50 @@ def test_a_result_that_dies_with_its_worker_is_made_again(
     else:
         assert seen == 1 + cluster.AGAIN
         assert out.failures == (((1, 1), cluster.TOO_MANY_DEATHS),)
+
+
+class Ended:
+    """The future of a task whose worker died where it came to one block."""
+
+    def __init__(self, task: list[tuple[int, int]]) -> None:
+        self.task, self.status = task, "error" if (1, 1) in task else "finished"
+
+    def add_done_callback(self, put: Any) -> None:
+        put(self)
+
+    def result(self, timeout: float) -> list[Outcome]:
+        return [Outcome(block, DONE, 16) for block in self.task]
+
+    def exception(self, timeout: float) -> Exception:
+        return distributed.KilledWorker("task", None, 4)
+
+
+class Deadly:
+    """A client of two workers, and the tasks that it was given."""
+
+    status = "running"
+
+    def __init__(self) -> None:
+        self.tasks: list[list[tuple[int, int]]] = []
+
+    def nthreads(self) -> dict[str, int]:
+        return {"one": 1, "other": 1}
+
+    def map(self, work: Any, paths: Any, runs: Any, tasks: Any, *, key: list[str], pure: bool) -> list[Ended]:
+        assert len(set(key)) == len(tasks) <= 2 * cluster.MOST_IN_FLIGHT
+        self.tasks += tasks
+        return [Ended(task) for task in tasks]
+
+
+def test_a_block_that_kills_its_workers_takes_no_other_with_it(alone: Path) -> None:
+    fitted, client = maps.open_map(alone), Deadly()
+    found = list(cluster.windowed(client, fitted, list(fitted.blocks), "here"))
+    assert sorted(outcome.block for outcome in found) == sorted(fitted.blocks)
+    assert [(o.block, o.reason) for o in found if o.kind != DONE] == [((1, 1), cluster.TOO_MANY_DEATHS)]
+    first = next(task for task in client.tasks if (1, 1) in task)
+    assert len(first) == 9
+    assert all([block] in client.tasks for block in first)
+    assert sum(map(len, client.tasks)) == 36 + 9
 
 
 def test_only_this_run_reaches_the_scheduler_that_it_starts() -> None:

@@ -1,13 +1,12 @@
-"""Blocks on the workers of a Dask scheduler: as many in flight as keep the workers busy, never a list of all."""
+"""Blocks on the workers of a Dask scheduler: as many in flight as keep the workers busy, never all of them."""
 
 from __future__ import annotations
 
-import itertools
 import logging
 import queue
 import time
-from collections import Counter
-from collections.abc import Callable, Generator, Iterator
+from collections import Counter, deque
+from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from typing import Any
 
@@ -15,10 +14,15 @@ from motes.errors import MissingExtraError, MotesError
 from motes.maps.fitted import FittedMap
 from motes.maps.work import UNREADABLE, Outcome, work_on
 
-#: Blocks in flight for each thread of a worker: one that runs, and some on the way; more are submitted when the least is reached.
+#: Tasks in flight for each thread of a worker: one that runs, and some on the way; more are submitted when the least is reached.
 LEAST_IN_FLIGHT, MOST_IN_FLIGHT = 2, 4
+#: A task is one of so many parts of the blocks that are left for each thread, and so many blocks at most: what a task costs besides its blocks, some
+#: milliseconds here and on the worker, is paid less often, and towards the end tasks are single blocks, so that workers end together.
+PARTS, MOST_TOGETHER = 2, 16
 # Seconds: to reach a scheduler; between two looks at who is there; without any worker before the run is given up.
 CONNECT, LOOK, PATIENCE = 10.0, 1.0, 120.0
+Block = tuple[int, int]
+
 TOO_MANY_DEATHS = "its worker died again and again, perhaps for want of memory"
 #: Of the processes that are started here, of one thread each: the kernels' own threads, and those of Zarr's codecs, would share the cores a second time.
 ENVIRONMENT = {"NUMBA_NUM_THREADS": "1", "ZARR_THREADING__MAX_WORKERS": "1"}
@@ -49,69 +53,81 @@ def windowed(
     fitted: FittedMap,
     blocks: list[tuple[int, int]],
     where: str,
-    work: Callable[[str, str, tuple[int, int]], Outcome] = work_on,
+    work: Callable[[str, str, Sequence[Block]], list[Outcome]] = work_on,
 ) -> Generator[Outcome]:
-    """Outcomes of `work` on every block, a few submitted for each thread at a time; `where` is for messages."""
+    """Outcomes of `work` on all blocks, a few tasks submitted for each thread at a time; `where` is for messages."""
     ended: queue.SimpleQueue[Any] = queue.SimpleQueue()
-    running: dict[Any, tuple[int, int]] = {}
-    lost: Counter[tuple[int, int]] = Counter()
-    waiting = iter(blocks)
+    running: dict[Any, Sequence[Block]] = {}
+    lost: Counter[Block] = Counter()
+    waiting = deque(blocks)
     path, run = str(fitted.path.resolve()), f"{time.time_ns()}"
-    left, window, enough, seen, looked = len(blocks), 0, 0, time.monotonic(), -LOOK
+    left, threads, seen, looked = len(blocks), 0, time.monotonic(), -LOOK
     while left:
         now = time.monotonic()
         if now - looked >= LOOK:
             looked, threads = now, _threads(client, where)
-            window, enough = MOST_IN_FLIGHT * threads, LEAST_IN_FLIGHT * threads
             seen = now if threads else seen
             if now - seen > PATIENCE:
                 raise MotesError(
                     f"{where} has no worker since {PATIENCE:.0f} s",
                     "Start some: dask worker ADDRESS; finished blocks are kept",
                 )
-        if len(running) <= enough and (more := list(itertools.islice(waiting, window - len(running)))):
+        room = MOST_IN_FLIGHT * threads - len(running)
+        if len(running) <= LEAST_IN_FLIGHT * threads and (tasks := _tasks(waiting, lost, room, threads)):
             # Some at a time: a message for each would be most of a scheduler's work.  Keys tell runs apart, for a scheduler
             # remembers results that somebody still holds.
-            keys = [f"motes-{run}-{y}-{x}-{lost[y, x]}" for y, x in more]
-            futures = client.map(work, [path] * len(more), [run] * len(more), more, key=keys, pure=False)
-            for future, block in zip(futures, more, strict=True):
-                running[future] = block
+            keys = [f"motes-{run}-{y}-{x}-{lost[y, x]}" for (y, x), *_ in tasks]
+            futures = client.map(work, [path] * len(tasks), [run] * len(tasks), tasks, key=keys, pure=False)
+            for future, task in zip(futures, tasks, strict=True):
+                running[future] = task
                 future.add_done_callback(ended.put)
         try:
             future = ended.get(timeout=LOOK)
         except queue.Empty:
             continue
-        block = running.pop(future)
-        outcome = _outcome(future, block, fitted, where)
-        if outcome is None:
+        task = running.pop(future)
+        outcomes = _outcomes(future, task, fitted, where)
+        if outcomes is None:
             _threads(client, where)  # an error where it is the scheduler that went away
-            lost[block] += 1
-            if lost[block] <= AGAIN:
-                waiting = itertools.chain([block], waiting)
-                continue
-            outcome = Outcome(block, UNREADABLE, fitted.blocks.texels(block), TOO_MANY_DEATHS)
-        yield outcome
-        left -= 1
+            lost.update(task)
+            waiting.extendleft(reversed([block for block in task if lost[block] <= AGAIN]))
+            given_up = [block for block in task if lost[block] > AGAIN]
+            outcomes = [Outcome(b, UNREADABLE, fitted.blocks.texels(b), TOO_MANY_DEATHS) for b in given_up]
+        yield from outcomes
+        left -= len(outcomes)
 
 
-def _outcome(future: Any, block: tuple[int, int], fitted: FittedMap, where: str) -> Outcome | None:
-    """What became of a block; None where its result was lost, with the worker that held it or with the scheduler."""
+def _tasks(waiting: deque[Block], lost: Counter[Block], most: int, threads: int) -> list[Sequence[Block]]:
+    """The next tasks, taken from what waits; a block that was lost is one of its own, so that it takes no other with it."""
+    tasks: list[Sequence[Block]] = []
+    while waiting and len(tasks) < most:
+        size = 1 if lost[waiting[0]] else max(1, min(MOST_TOGETHER, len(waiting) // (PARTS * threads)))
+        tasks.append([waiting.popleft() for _ in range(size)])
+    return tasks
+
+
+def _outcomes(future: Any, task: Sequence[Block], fitted: FittedMap, where: str) -> list[Outcome] | None:
+    """What became of the blocks of a task; None where that was lost, with the worker that held it or with the scheduler."""
     from distributed import KilledWorker
 
     if future.status == "finished":
         try:
-            result: Outcome = future.result(timeout=CONNECT)
+            result: list[Outcome] = future.result(timeout=CONNECT)
             return result
         except Exception:  # the worker died between its last word and ours
             return None
     if future.status == "error":
         error = future.exception(timeout=CONNECT)
-        if isinstance(error, KilledWorker):
-            return Outcome(block, UNREADABLE, fitted.blocks.texels(block), TOO_MANY_DEATHS)
+        if isinstance(error, KilledWorker) and len(task) == 1:
+            return [Outcome(task[0], UNREADABLE, fitted.blocks.texels(task[0]), TOO_MANY_DEATHS)]
+        if isinstance(error, KilledWorker):  # by one of them
+            return None
         if isinstance(error, MotesError):
             raise error
+        first, *others = task
         raise MotesError(
-            f"block {block} failed on a worker of {where}: {type(error).__name__}: {str(error)[:200]}",
+            f"block {first}{f' or one of {len(others)} after it' if others else ''} failed on a worker of {where}: "
+            f"{type(error).__name__}: {str(error)[:200]}",
             "Workers need the same Motes, the same packages and the same paths as this machine",
         )
     return None

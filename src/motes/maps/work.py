@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import errno
 import sys
+from collections.abc import Sequence
 from contextlib import suppress
 from functools import lru_cache
 from typing import NamedTuple
@@ -61,14 +62,20 @@ def write_block(fitted: FittedMap, block: tuple[int, int], fit: TexelFit) -> Out
     return Outcome(block, DONE, texels)
 
 
-def work_on(path: str, run: str, block: tuple[int, int]) -> Outcome:
-    """A block of the fitted map at a path: what a worker of a cluster calls.  `run` tells runs into one path apart."""
+def work_on(path: str, run: str, blocks: Sequence[tuple[int, int]]) -> list[Outcome]:
+    """Blocks of the fitted map at a path, as far as it can be written: what a worker of a cluster calls.  `run` tells runs into one path apart."""
     _settle()
     fitted = _opened(path, run)
-    values = read_block(fitted, block)
-    if isinstance(values, str):
-        return Outcome(block, UNREADABLE, fitted.blocks.texels(block), values)
-    return write_block(fitted, block, fit_block(fitted, values))
+    outcomes: list[Outcome] = []
+    for block in blocks:
+        values = read_block(fitted, block)
+        if isinstance(values, str):
+            outcomes.append(Outcome(block, UNREADABLE, fitted.blocks.texels(block), values))
+            continue
+        outcomes.append(write_block(fitted, block, fit_block(fitted, values)))
+        if outcomes[-1].kind == UNWRITABLE:
+            break
+    return outcomes
 
 
 @lru_cache(maxsize=2)
