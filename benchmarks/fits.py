@@ -101,8 +101,10 @@ def by_size(effort: Effort, figures: dict[str, Number]) -> Table:
             motes.fit(data, MODEL)
             wall.append(1e3 * (time.perf_counter() - start))
             processor.append(1e3 * (time.process_time() - cpu))
-        figures[f"of_{values}"], figures[f"of_{values}_cpu"] = Number.of(wall), Number.of(processor)
-        rows.append([f"{values:,}", str(len(made)), f"{{of_{values}}}", f"{{of_{values}_cpu}}"])
+        key = f"of_{values}"
+        figures |= {key: Number.of(wall), f"{key}_cpu": Number.of(processor)}
+        figures[f"{key}_rounds"] = Number.of([len(made)])
+        rows.append([f"{values:,}", f"{{{key}_rounds:count}}", f"{{{key}}}", f"{{{key}_cpu}}"])
     return Table(["values of a new measurement", "rounds", "fit [ms]", "processor [ms]"], rows)
 
 
