@@ -278,7 +278,8 @@ class Kernel:
             if not whole:
                 raw.replace(active, part)
             every = 1
-            active = np.flatnonzero((raw.state("running") > 0) & (raw.state("iterations") < limit))
+            left = np.flatnonzero(raw.state("running") > 0)  # few: the other column is looked up for them alone
+            active = left[raw.state("iterations")[left] < limit]
         return raw
 
     def diagonal(self, data: Singles, points: Floats, noise: Floats | None) -> Floats:
