@@ -137,6 +137,13 @@ class TexelSetup:
         result[..., squared] *= result[..., squared]
         return result
 
+    def within(self, x: Floats) -> Floats:
+        """The same, within the bounds of the fit, of points (M, P)."""
+        result = self.coordinates(x)
+        for column, low, high in zip(result.T, self.facts.low[:, 0], self.facts.high[:, 0], strict=True):
+            np.clip(column, low, high, out=column)  # NumPy takes short rows one by one
+        return result
+
     def values(self, points: Floats) -> Floats:
         """The reverse of `coordinates`."""
         return in_own_units(points, self.facts)

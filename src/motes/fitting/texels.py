@@ -149,10 +149,7 @@ class TexelSolver(TexelSetup):
         """Starts in the coordinates of the fit, within its bounds."""
         if not np.isfinite(points).all():
             raise DataError(*NOT_FINITE)
-        points = self.coordinates(points)
-        for column, low, high in zip(points.T, self.facts.low[:, 0], self.facts.high[:, 0], strict=True):
-            np.clip(column, low, high, out=column)  # NumPy takes short rows one by one
-        return points
+        return self.within(points)
 
     def _fitted(self, data: Singles, points: Floats, own_starts: bool, covariance: bool) -> TexelFit:
         """The fits of some texels from points in the coordinates of the fit."""
