@@ -30,6 +30,7 @@ SCRIPTS = (
     "sampling",
     "texels",
     "map_fits",
+    "map_losses",
     "growth",
     "fits",
     "joint",

@@ -34,6 +34,7 @@ PARTS = {
     "sampling": "sampling",
     "texels": "texel_fits",
     "map_fits": "map_fits",
+    "map_losses": "map_losses",
     "growth": "growth",
     "fits": "material_fits",
     "joint": "joint_fits",
@@ -42,7 +43,7 @@ PARTS = {
     "gpu": "gpu",
     "viewer": "viewer",
 }
-NEEDS = {"memory": "zarr", "map_fits": "zarr"}
+NEEDS = {"memory": "zarr", "map_fits": "zarr", "map_losses": "zarr"}
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -51,6 +51,25 @@ def test_the_start_is_the_one_from_which_a_fit_with_its_width_and_roughness_held
         assert any((point[HELD] == start[HELD]).all() for start in STARTS)
 
 
+@pytest.mark.parametrize("loss", ["log", "cube_root"])
+def test_losses_that_bend_find_the_same_valley_by_the_linear_one(loss: str) -> None:
+    fit = solver(60, loss=loss)
+    data, starts = texels(fit, 60), fit.values(STARTS)
+    found = fit.fit(data, starts)
+    each = [fit.fit(data, np.repeat(start[None], len(data), axis=0), own_starts=True) for start in starts]
+    kernel = fit.kernel("direct")
+
+    def left(x: NDArray[np.float32]) -> NDArray[np.float64]:
+        points = fit.coordinates(np.clip(x.astype(float), *fit.bounds))
+        return kernel.fit(data, points, limit=0, close=False).state("objective")  # type: ignore[union-attr]
+
+    least = np.min([left(one.x) for one in each], axis=0)
+    assert np.mean(left(found.x) <= least * (1 + 1e-4)) > 0.97
+    assert fit.linear.loss.name == "linear"
+    assert fit.in_units(4.0).linear.unit == 4.0
+    assert solver(loss="plain").linear.loss.name == "plain"
+
+
 def test_without_noise_a_texel_takes_the_start_that_has_its_width() -> None:
     fit = solver(60)
     K_d = np.array([0.3, 0.2, 0.5])

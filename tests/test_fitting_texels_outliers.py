@@ -12,6 +12,7 @@ from scipy.optimize import least_squares
 import motes
 from fitting_oracle import Oracle
 from motes.fitting import texels as module
+from motes.fitting.metrics import MEDIAN_TO_DEVIATION, deviation
 from motes.fitting.texels import Raw, TexelSolver
 
 Floats = NDArray[np.float64]
@@ -148,3 +149,28 @@ def test_other_valleys_are_found_from_starts_that_do_not_know_them(monkeypatch: 
     monkeypatch.setitem(vars(solver), "_bands", ())
     assert missed() >= 10
     assert found == 0
+
+
+def test_a_robust_fit_is_tried_from_the_plain_one_only_where_that_is_far(monkeypatch: pytest.MonkeyPatch) -> None:
+    clean, spoilt = _texels()
+    fit = TexelSolver(PAINT, WI, WO, 3, robust="huber")
+    starts = fit.starts(clean[::30])
+    found = {}
+    for apart in (module.APART, -1.0):  # -1: everywhere
+        monkeypatch.setattr(module, "APART", apart)
+        found[apart] = [fit.fit(data, starts) for data in (clean, spoilt)]
+    for one, every in zip(*found.values(), strict=True):
+        with np.errstate(invalid="ignore"):
+            moved = np.nan_to_num(np.abs(one.x - every.x) / every.stderr)
+        assert np.mean(moved.max(axis=1) > 0.01) <= 0.003
+
+
+@pytest.mark.parametrize("count", [1, 2, 71, 72, 2000])
+def test_medians_of_short_rows_are_those_of_numpy(count: int) -> None:
+    rows = np.random.default_rng(7).normal(size=(300, count)).astype(np.float32)
+    rows[np.random.default_rng(8).random(rows.shape) < 0.1] = np.nan
+    seen = np.isfinite(rows).any(axis=1)
+    middle = np.nanmedian(rows[seen], axis=1, keepdims=True)
+    spread = np.zeros(len(rows))
+    spread[seen] = np.nanmedian(np.abs(rows[seen] - middle), axis=1)
+    np.testing.assert_array_equal(deviation(rows), np.maximum(MEDIAN_TO_DEVIATION * spread, 1e-12))

@@ -15,6 +15,8 @@ from motes.fitting.losses import LOSSES, Floats
 BLOCK = 8192
 # The median of the size of normal noise is its standard deviation over this.
 MEDIAN_TO_DEVIATION = 1.4826
+# Rows of more numbers are partitioned rather than sorted.
+LONG = 1024
 
 
 def rms(x: Floats) -> float:
@@ -54,10 +56,20 @@ def deviation(residuals: NDArray[np.floating[Any]], unit: float = 1.0) -> Floats
     the data's `unit`, since they divide by it.
     """
     measured = np.isfinite(residuals).any(axis=-1)  # the median of nothing is a warning
-    middle = np.nanmedian(residuals[measured], axis=-1, keepdims=True)
+    found = residuals if measured.all() else residuals[measured]
     spread = np.zeros(residuals.shape[:-1])
-    spread[measured] = np.nanmedian(np.abs(residuals[measured] - middle), axis=-1)
+    spread[measured] = _medians(np.abs(found - _medians(found)[..., None]))
     return np.maximum(MEDIAN_TO_DEVIATION * spread, 1e-12 * unit)
+
+
+def _medians(values: NDArray[np.floating[Any]]) -> NDArray[np.floating[Any]]:
+    """Those of `numpy.nanmedian` over the last axis, of which each row holds a number: of many short rows, as texels have, in a tenth of the time."""
+    if values.ndim < 2 or values.shape[-1] > LONG:
+        return np.asarray(np.nanmedian(values, axis=-1))
+    ordered = np.sort(values, axis=-1)  # NaN comes last
+    count = values.shape[-1] - np.count_nonzero(np.isnan(values), axis=-1)[..., None]
+    middle = [np.take_along_axis(ordered, at, axis=-1)[..., 0] for at in ((count - 1) // 2, count // 2)]
+    return np.asarray((middle[0] + middle[1]) / 2)
 
 
 def chi_square(objective: float, factor: float | None, freedom: int) -> dict[str, float]:

@@ -87,6 +87,11 @@ class Raw:
         """A column of the states."""
         return self.states[:, STATE.index(name)]
 
+    def apart(self, values: Floats, most: float) -> NDArray[np.bool_]:
+        """Which texels (M,) are further than so many standard errors from values (M, P); where there is no error, at all."""
+        with np.errstate(invalid="ignore"):
+            return np.asarray((~(np.abs(values - self.values) <= most * np.nan_to_num(self.errors))).any(axis=1))
+
     def rows(self, rows: NDArray[np.intp]) -> Raw:
         """Some of the texels."""
         return Raw(**{name: part[rows] for name, part in vars(self).items()})

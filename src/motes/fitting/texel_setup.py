@@ -16,7 +16,7 @@ from motes.errors import DataError, MotesError
 from motes.fitting import joint
 from motes.fitting.columns import STRENGTHS, Columns, in_own_units, unit_between
 from motes.fitting.joint import Part
-from motes.fitting.losses import Floats, loss_named, robust_named
+from motes.fitting.losses import LOSSES, Floats, loss_named, robust_named
 from motes.fitting.quantities import Quantity, columns_for
 from motes.fitting.setup import fitted_of
 from motes.kernels.cards import Device
@@ -119,8 +119,17 @@ class TexelSetup:
             return self
         other = copy.copy(self)
         other.unit, other.loss = unit, self.loss.of_unit(unit)
-        for name in ("facts", "_kernels", "_recorded", "_compared", "_bands"):  # what was made for this unit
+        for name in ("facts", "_kernels", "_recorded", "_compared", "_bands", "linear"):  # what was made for this unit
             other.__dict__.pop(name, None)
+        return other
+
+    @cached_property
+    def linear(self) -> Self:
+        """The same under a loss that is linear in the BRDF, as this one where it is: which valley is nearest, both see alike."""
+        if self.loss.is_linear:
+            return self
+        other = copy.copy(self)
+        other.loss = LOSSES["linear"]
         return other
 
     @property

@@ -35,6 +35,8 @@ from motes.kernels import engine
 
 # The plain fit before a robust one is drawn by what is far off: its errors are large, and a small share of them shows in the median.
 FIRST_REDUCTION = 1e-12
+# Outliers draw a plain fit away: where it ended so many standard errors from a robust one, that is tried from there as well.
+APART = 1.0
 # Texels that go through all of a fit together: their states and errors stay in the cache.  Fewer where threads would have none.
 MOST_TOGETHER, LEAST_TOGETHER = 16384, 2048
 
@@ -129,7 +131,7 @@ class TexelSolver(TexelSetup):
                     "Hold parameters, choose simpler trends, or leave it out",
                 )
             return self.finished(fit_slowly(self, data, self._within(points) if own_starts else points, own_starts))
-        if not own_starts and len(points) > 1 and self._one_product:
+        if not own_starts and len(points) > 1 and not self.parts:
             self._nearest(points)
         pieces = list(_pieces(len(data), self.times or 1))
         whole = TexelFit.unfilled(len(data), self.size, covariance)
@@ -197,10 +199,11 @@ class TexelSolver(TexelSetup):
         noise = deviation(mild.residuals(data, start))
         first = mild.fit(data, start, noise=noise, close=False)
         best = robust.fit(data, first.points, noise=noise, covariance=covariance)
-        if robust is not mild:
-            other = robust.fit(data, start, noise=noise, covariance=covariance)
-            better = np.flatnonzero(other.state("objective") < best.state("objective") * (1 - 1e-9))
-            best.replace(better, other.rows(better))
+        far = np.flatnonzero(best.apart(self.values(start), APART) & (robust is not mild))
+        if len(far):
+            other = robust.fit(data[far], start[far], noise=noise[far], covariance=covariance)
+            better = np.flatnonzero(other.state("objective") < best.state("objective")[far] * (1 - 1e-9))
+            best.replace(far[better], other.rows(better))
         return best, noise
 
     def _checked(self, values: ArrayLike) -> Singles:
@@ -218,7 +221,7 @@ class TexelSolver(TexelSetup):
         """For every texel the start from which the parameters that are not `_curved` alone get closest to the data."""
         if len(starts) == 1:
             return np.repeat(starts, len(data), axis=0)
-        if not self._one_product:
+        if self.parts:  # `Nearest` knows one time
             return self._best_tried(kernel, data, starts)
         best, missing = self._nearest(starts).points(data)
         if missing.any():
@@ -228,7 +231,7 @@ class TexelSolver(TexelSetup):
     def _nearest(self, starts: Floats) -> Nearest:
         compared = self._compared
         if compared is None or not np.array_equal(compared[0], starts):
-            compared = self._compared = starts.copy(), Nearest(self, starts, self._curved())
+            compared = self._compared = starts.copy(), Nearest(self.linear, starts, self._curved())
         return compared[1]
 
     def _best_tried(self, kernel: Kernel | Forms, data: Singles, starts: Floats) -> Floats:
@@ -274,23 +277,18 @@ class TexelSolver(TexelSetup):
         part = data[rows]
         for start in starts:
             tried(rows, part, np.repeat(start[None], len(rows), axis=0))
-        if len(far) and self._one_product:
+        if len(far) and not self.parts:
             part = data[far]
             for band in self._bands:
                 points, missing = band.points(part)
                 points[missing] = starts[0]
                 tried(far, part, points)
 
-    @property
-    def _one_product(self) -> bool:
-        """Whether `Nearest` can tell which start suits a texel."""
-        return not self.parts and self.loss.is_linear
-
     @cached_property
     def _bands(self) -> tuple[Nearest, ...]:
         """Where texels with outliers are tried besides; the starts of a map are those of texels without, and few."""
         held = self._curved()
-        return tuple(Nearest(self, points, held) for points in bands(self, held))
+        return tuple(Nearest(self.linear, points, held) for points in bands(self, held))
 
     def _curved(self) -> NDArray[np.bool_]:
         """The columns along which an objective has several valleys: those that `_best_start` holds."""
