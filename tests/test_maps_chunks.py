@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +14,7 @@ import pytest
 pytest.importorskip("zarr")
 import zarr
 
+from motes import maps
 from motes.maps import chunks, zarrs
 from motes.maps.chunks import Chunks
 
@@ -136,3 +140,19 @@ def test_a_store_that_was_opened_to_be_read_is_not_written(tmp_path: Path) -> No
     with pytest.raises(ValueError, match="read-only"):
         Chunks.of(array, tmp_path / "a.zarr").put((0, 0), np.zeros(CHUNK))
     assert files(folder) == before
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes here")
+@pytest.mark.parametrize("compressed", [True, False])
+@pytest.mark.parametrize("place", ["f_r/c/0/0/0/0/0", "f_r/zarr.json", "zarr.json", "wi/c/0/0"])
+def test_a_pipe_in_a_store_is_refused_and_not_waited_for(tmp_path: Path, place: str, compressed: bool) -> None:
+    store = maps.create_map(tmp_path / "m.zarr", (2, 2), [0, 0, 1], [0, 0, 1], compressed=compressed)
+    store.write(0, 0, np.ones((2, 2, 1, 1, 3)))
+    (store.path / place).unlink()
+    os.mkfifo(store.path / place)
+    # Where it is waited for, this child is ended, and says nothing.
+    code = "import sys; from motes import maps; maps.open_map(sys.argv[1]).read_block((0, 0))"
+    done = subprocess.run(
+        [sys.executable, "-c", code, str(store.path)], capture_output=True, text=True, timeout=60, check=False
+    )
+    assert f"{place} is no regular file" in done.stderr.splitlines()[-1]

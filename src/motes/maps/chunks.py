@@ -135,6 +135,8 @@ def plain(array: Any, store: Path, part: Any) -> NDArray[Any] | None:
 def _filled(target: NDArray[Any], file: Path, chunks: tuple[int, ...]) -> bool:
     """Read what is there of a chunk, row by row; False where there is no such file, or it is not of a chunk's size."""
     row = math.prod(chunks[1:]) * target.itemsize
+    if not file.is_file():  # a pipe would be waited for
+        return False
     try:
         with open(file, "rb", buffering=0) as stream:
             if os.fstat(stream.fileno()).st_size != chunks[0] * row:

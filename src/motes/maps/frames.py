@@ -65,6 +65,21 @@ def check_frames(array: Any, where: object, part: Any = ...) -> None:
                 )
 
 
+def is_regular(file: Path, where: object) -> bool:
+    """Whether there is a file; what is there and is none, a pipe that nobody writes to, say, would be waited for without end.
+
+    Raises
+    ------
+    FormatError
+        For what is no regular file.
+    """
+    if file.is_file():
+        return True
+    if file.exists():
+        raise FormatError(f"{where}: {file.relative_to(str(where))} is no regular file", "Write the store again")
+    return False
+
+
 def _layout(array: Any) -> tuple[tuple[int, ...], Any, bool | None]:
     """The shape of what one file holds, the codecs of a chunk, and for shards whether their index comes first."""
     codecs = array.metadata.codecs
@@ -88,7 +103,7 @@ def _files(array: Any, store: Path, outer: tuple[int, ...], part: Any) -> Iterat
         axes.append(range(start // size, -(-stop // size)))
     for coordinates in itertools.product(*axes):
         file = store / array.path / array.metadata.encode_chunk_key(coordinates)
-        if file.is_file():
+        if is_regular(file, store):
             yield file
 
 

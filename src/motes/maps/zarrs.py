@@ -7,7 +7,7 @@ import math
 import os
 import shlex
 from collections.abc import Iterator, Mapping
-from itertools import islice
+from itertools import chain, islice
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from motes.errors import FormatError, MissingExtraError, MotesError
 from motes.files import budget
 from motes.maps.chunks import plain
-from motes.maps.frames import check_frames
+from motes.maps.frames import check_frames, is_regular
 from motes.material import CONVENTIONS as MATERIAL_CONVENTIONS
 from motes.quiet import without_warnings
 
@@ -92,6 +92,8 @@ def open_group(path: object, mode: str = "r") -> Any:
         raise FormatError(
             f"{folder} is a Zarr store of version 2; maps are read from version 3", f"Convert it: {_conversion(folder)}"
         )
+    for file in chain(*(folder.glob(f"{below}zarr.json") for below in ("", "*/", "run/*/", "truth/*/"))):
+        is_regular(file, folder)
     try:
         group = library.open_group(str(folder), mode=mode, use_consolidated=False, zarr_format=3)
     except Exception as error:  # the library raises what it likes
