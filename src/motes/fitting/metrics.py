@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from motes.arrays import dot
 from motes.fitting.data_passes import in_slices
 from motes.fitting.losses import LOSSES, Floats
 
@@ -21,8 +22,7 @@ LONG = 1024
 
 def rms(x: Floats) -> float:
     """The root mean square; NaN of nothing."""
-    flat = x.reshape(-1)
-    return math.sqrt(float(flat @ flat) / flat.size) if flat.size else math.nan
+    return math.sqrt(dot(x, x) / x.size) if x.size else math.nan
 
 
 def relative_rms(fitted: Floats, measured: Floats) -> float:
@@ -41,7 +41,7 @@ def distances(fitted: Floats, measured: Floats, cosines: Floats) -> dict[str, fl
         f, m, c = (part[rows] for part in (fitted, measured, cosines))
         with np.errstate(invalid="ignore", divide="ignore"):
             apart = [loss.transform(f, c) - loss.transform(m, c) for loss in LOSSES.values()]
-            return [float(np.vdot(away, away)) for away in apart]
+            return [dot(away, away) for away in apart]
 
     parts = in_slices(squares, len(fitted), BLOCK)
     sums = dict(zip(LOSSES, map(sum, zip(*parts, strict=True)), strict=True)) if parts else dict.fromkeys(LOSSES, 0.0)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motes import directions
-from motes.arrays import any_last, median
+from motes.arrays import any_last, dot, median
 from motes.measurements.fillers import fillers
 from motes.measurements.measurement import Measurement
 
@@ -61,7 +61,7 @@ def _reflected(data: Measurement) -> Floats:
                 continue
             v = data.values[t, :, c].compress(use)
             share = (data.weights * cosines)[use] if weighted else None
-            middle = float(v @ share) / float(share.sum()) if share is not None else median(v)
+            middle = dot(v, share) / float(share.sum()) if share is not None else median(v)
             result[t, c] = np.pi * middle
     return result
 
