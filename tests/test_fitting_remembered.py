@@ -56,7 +56,7 @@ def test_findings_and_digests_are_those_of_their_measurement() -> None:
     dull, bright = measured(0.1), measured(0.9)
     assert implausible(dull) == implausible(dull) != implausible(bright)
     for data in (dull, bright, dull):
-        assert origin_of(data, {})().sha256_of_arrays == digest(data)
+        assert origin_of(data, {}).sha256_of_arrays == digest(data)
     assert digest(dull) != digest(bright)
 
 

@@ -164,7 +164,7 @@ def fit_beside(
         raise MotesError(f"errors {errors!r} is not one of {', '.join(ERRORS)}", "Leave it out for 'auto'")
     wishes = Wishes(loss, robust, weights, fixed, per_channel, errors=errors)
     result = _fitted(data, model, wishes, trends, scale == scaled.FREE, below, progress)
-    return replace(result, origin=origin())
+    return replace(result, origin=origin)
 
 
 def _fitted(

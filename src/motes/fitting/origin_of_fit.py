@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import hashlib
 import os
-from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass
+from collections.abc import Mapping
+from copy import deepcopy
+from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from functools import lru_cache
 from pathlib import Path
@@ -14,7 +15,6 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from motes.fitting.data_passes import beside
 from motes.measurements import Measurement
 from motes.models import BRDF, describe
 from motes.version import __version__
@@ -34,7 +34,7 @@ class Origin:
     options
         The arguments of `motes.fit`, as plain values; an array is told by its shape.
     sha256_of_arrays
-        Of the measurement as it was given: see `digest`.
+        Of the measurement as it was given: see `digest`.  Found when it is asked for.
     sha256_of_file
         Of the file that it was read from; None where it is no single file any more.
     command
@@ -44,26 +44,35 @@ class Origin:
     date: str
     motes: str
     options: dict[str, Any]
-    sha256_of_arrays: str
+    _given: Measurement | str = field(repr=False)  # or its digest
     sha256_of_file: str | None
     command: str | None = None
 
+    @property
+    def sha256_of_arrays(self) -> str:
+        if isinstance(self._given, str):
+            return self._given
+        return _digests.get(self._given) or _digests.setdefault(self._given, digest(self._given))
+
     def to_dict(self) -> dict[str, Any]:
         """As plain JSON values."""
-        return asdict(self)
+        names = ("date", "motes", "options", "sha256_of_arrays", "sha256_of_file", "command")
+        return deepcopy({name: getattr(self, name) for name in names})
+
+    def __getstate__(self) -> dict[str, Any]:
+        """What is written down of it: a digest, and no measurement."""
+        return self.__dict__ | {"_given": self.sha256_of_arrays}
 
 
 # Of measurements, which do not change, and of files as they were last changed: one is fitted by many models.
 _digests: WeakKeyDictionary[Measurement, str] = WeakKeyDictionary()
 
 
-def origin_of(data: Measurement, options: Mapping[str, Any]) -> Callable[[], Origin]:
-    """The origin of a fit to `data` that begins now, to be asked for when it has ended: digests of much data are made beside it."""
+def origin_of(data: Measurement, options: Mapping[str, Any]) -> Origin:
+    """The origin of a fit to `data` that begins now."""
     now = datetime.now(UTC).isoformat(timespec="seconds")
     plain = {name: _plain(value) for name, value in options.items()}
-    arrays = beside(data, lambda: _digests.get(data) or _digests.setdefault(data, digest(data)))
-    file = _file_digest(data.provenance.get("path"))
-    return lambda: Origin(now, __version__, plain, arrays.result(), file)
+    return Origin(now, __version__, plain, data, _file_digest(data.provenance.get("path")))
 
 
 def digest(data: Measurement) -> str:

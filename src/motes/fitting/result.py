@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any, ClassVar, Self, final
@@ -102,7 +102,8 @@ class Result(ABC):
     tried
         The models compared.
     findings
-        Sentences on what is odd about the data or the fit, and on what the data do not show or determine.
+        Sentences on what is odd about the data or the fit, and on what the data do not show or determine.  Of one time they are looked for
+        when they are first read.
     measurement
         The data.
     predicted
@@ -125,7 +126,7 @@ class Result(ABC):
     metrics: dict[str, float]
     status: Status
     tried: tuple[Trial, ...]
-    findings: tuple[str, ...]
+    findings: Sequence[str]
     measurement: Measurement
     predicted: NDArray[np.float64]
     loss: str

@@ -20,6 +20,7 @@ from motes.fitting.data_passes import beside
 from motes.fitting.direction_blocks import blocks_of
 from motes.fitting.estimating import estimated
 from motes.fitting.judgement import Contender, judged
+from motes.fitting.later import Later
 from motes.fitting.levenberg import FIRST_DAMPING
 from motes.fitting.losses import ROBUST, Floats
 from motes.fitting.metrics import chi_square, deviation, distances
@@ -81,7 +82,8 @@ def fit_scan(
     result = best.result(trials, started, progress)
     say(steps, steps, "done")
     said = about_choice(taken, rungs, judgement)
-    return replace(result, dusty=judgement.dusty, model_text=taken.text, findings=(*result.findings, *said))
+    findings = Later(lambda: (*result.findings, *said))
+    return replace(result, dusty=judgement.dusty, model_text=taken.text, findings=findings)
 
 
 def _starts(problem: Problem, given: Floats | None) -> Floats:
@@ -114,11 +116,10 @@ class _Attempt:
         below: Sequence[Found] = (),
     ) -> None:
         self.data, self.wishes = data, wishes
-        # What needs no fit is found out beside it: what is odd about the data, and the blocks of their directions.
-        self.doubts = beside(data, lambda: implausible(data))
         self.brdf, start, self.problem, self.factor = prepare(data, model, wishes, lenient)
         check_enough(self.problem.samples, self.problem.size, self.brdf)
         wi, wo = self.problem.directions
+        # What needs no fit is found out beside it.
         self.blocks = beside(data, lambda: blocks_of(wi, wo))
         if near is not None and len(near) != self.problem.size:
             near = None  # of other channels
@@ -290,9 +291,7 @@ class _Attempt:
             seconds=clock.perf_counter() - started,
             errors=bars,
         )
-        odd = implausible_fit(result)
-        self.doubts.result()
-        return replace(result, findings=(*implausible(data), *odd))
+        return replace(result, findings=Later(lambda: (*implausible(data), *implausible_fit(result))))
 
 
 def _distances(data: Measurement, predicted: Floats) -> dict[str, float]:
