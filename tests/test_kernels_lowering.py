@@ -10,8 +10,9 @@ import pytest
 
 pytest.importorskip("llvmlite")
 
-from motes.kernels import engine
+from motes.kernels import drivers, engine, grouped
 from motes.kernels.lowering import lowered
+from motes.kernels.machine_code import is_x86
 
 MODULE = """
 D, F, I = float64, float32, int32
@@ -80,3 +81,22 @@ def test_what_is_not_of_the_language_is_refused() -> None:
     with pytest.raises(TypeError, match="not in the language"):
         lowered("@kernel\ndef f(x):\n    with x:\n        y = 1\n")
     assert lowered(MODULE).kernels == {"whole": (2, True)}
+
+
+def test_small_numbers_are_0_in_a_function_that_flushes_and_nowhere_else() -> None:
+    body = "def {0}(at, n):\n    for k in range(n):\n        store(D, at, k, load(D, at, k, 'a', 1) * D(0.5), 'a', 0, 1)\n    return n\n"
+    module = "D = float64\n@kernel\n" + body.format("keeping") + "@kernel\n@flushing\n" + body.format("flushing")
+    kernels = engine.module(module, "small numbers")
+    least = np.finfo(float).smallest_normal
+    for flushes in (False, True):
+        out = np.array([4 * least, least, least / 2, np.nan])
+        (kernels.flushing if flushes else kernels.keeping)(out.ctypes.data, 4)
+        expected = [0, 0] if flushes and is_x86() else [least / 2, least / 4]
+        np.testing.assert_array_equal(out, [2 * least, *expected, np.nan])
+        assert least / np.float64(2) > 0  # NumPy's own, in the same thread afterwards
+
+
+def test_drivers_of_directions_flush() -> None:
+    for driver in (drivers.EVALUATE, drivers.GRADIENT, drivers.SAMPLE, grouped._DRIVER):
+        name = driver[driver.rindex("def ", 0, driver.rindex("room,")) :].split("(")[0]
+        assert f"@kernel\n@flushing\n{name}(" in driver

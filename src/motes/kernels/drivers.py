@@ -48,6 +48,7 @@ def scatter(lanes, scratch, target, step, stride, count):
 # vector come last: they are copied, and what lies beside them there, and behind rows of `varying`, is computed with them and left.
 EVALUATE = """
 @kernel
+@flushing
 def evaluate(wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, varying, row, out, out_step, out_stride, room, first, last):
     start = first
     while start < last:
@@ -99,6 +100,7 @@ def put_back(rows, source, target, row, count):
 
 
 @kernel
+@flushing
 def gradient(
     wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, varying, row, seed, seed_step, seed_stride, slopes, totals,
     room, first, last,
@@ -144,6 +146,7 @@ def gradient(
 # `u` are two random numbers; what is sampled is brought from rows into three arrays.
 SAMPLE = """
 @kernel
+@flushing
 def sample(
     wi, wi_step, wi_stride, u, u_step, u_stride, constants, varying, row, wo, wo_step, wo_stride, density, weight, weight_step, weight_stride,
     room, first, last,

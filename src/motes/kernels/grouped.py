@@ -55,6 +55,7 @@ def among(values, count, keys, found):
 
 
 @kernel
+@flushing
 def grouped(
     wi, wi_step, wi_stride, wo, wo_step, wo_stride, constants, width, groups, group, varying, row, out, out_step, out_stride, room, first, last
 ):

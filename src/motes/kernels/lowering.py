@@ -14,6 +14,10 @@ program of `motes.kernels.vectors`.  It says so in few words::
     @kernel                     # what the engine calls: all arguments are integers, and so is what is returned, if anything
     def fit(...): ...
 
+    @kernel
+    @flushing                   # while it runs, numbers smaller than the smallest normal one are 0
+    def evaluate(...): ...
+
 Variables have the widest kind of what they are given, operands of ``and``, ``or`` and ``a if b else c`` are all computed, and integers are not negative
 where they are divided.  A program of vectors is a function of its own, which LLVM puts into no other.
 """
@@ -27,7 +31,10 @@ from typing import Any, NamedTuple
 from motes.kernels import vectors
 from motes.kernels.assembly import BYTE, DOUBLE, FLOAT, INT, WORD, Assembly, Value, number
 from motes.kernels.lowered_values import Expressions, Returned, plain, widest
+from motes.kernels.machine_code import is_x86
 
+# Bits of x86's control register: results below the smallest normal number become 0, and operands so small count as 0.
+_FLUSHING = 0x8000 | 0x0040
 _KINDS = {"float32": FLOAT, "float64": DOUBLE, "int32": INT, "int64": WORD, "uint8": BYTE}
 
 
@@ -114,6 +121,7 @@ class _Function(Expressions):
         self.node, self.label = node, label
         self.returned: tuple[str, ...] = ()
         self.loops: list[tuple[str, str]] = []  # where `continue` and `break` go
+        self.control: Value | None = None  # where the processor's settings are, as they were before
 
     def written(self) -> Returned:
         """Write it into the module."""
@@ -128,13 +136,30 @@ class _Function(Expressions):
                 self.variables[name] = self.builder.place(kind)
                 if name in self.arguments:
                     self.builder.store(self._as(self.arguments[name], kind), self.variables[name])
+            if _decorated(self.node, "flushing") and is_x86():
+                self._flush()
             if not self._block(self.node.body):
-                self.builder.lines.append("ret void")
+                self._leave("ret void")
             how = "alwaysinline nounwind" if _decorated(self.node, "inline") else "nounwind"
         found = Returned(self.label, self.returned)
         linkage = "" if _decorated(self.node, "kernel") else "internal "
         self.module.assembly.functions.append(self.builder.function(self.label, found.kind, self.given, how, linkage))
         return found
+
+    def _flush(self) -> None:
+        """From here on, results and operands that are no normal numbers are 0: Intel's processors take a hundred cycles and more for each vector with one."""
+        builder = self.builder
+        self.control, own = builder.place(INT), builder.place(INT)
+        builder.intrinsic("llvm.x86.sse.stmxcsr", "void", [self.control])
+        setting = builder.binary("or", builder.load(INT, self.control), number(INT, _FLUSHING))
+        builder.store(setting, own)
+        builder.intrinsic("llvm.x86.sse.ldmxcsr", "void", [own])
+
+    def _leave(self, how: str) -> None:
+        """Return, with the processor's settings as they were."""
+        if self.control is not None:
+            self.builder.intrinsic("llvm.x86.sse.ldmxcsr", "void", [self.control])
+        self.builder.lines.append(how)
 
     def _run(self, text: str, call: ast.Call) -> None:
         assert isinstance(call.func, ast.Attribute)
@@ -277,7 +302,7 @@ class _Function(Expressions):
 
     def _return(self, node: ast.Return) -> None:
         if node.value is None:
-            self.builder.lines.append("ret void")
+            self._leave("ret void")
             return
         parts = node.value.elts if isinstance(node.value, ast.Tuple) else [node.value]
         values = [self._as(self._value(part), kind) for part, kind in zip(parts, self.returned, strict=True)]
@@ -287,7 +312,7 @@ class _Function(Expressions):
             result = Value(kind, "poison")
             for k, value in enumerate(values):
                 result = self.builder.value(kind, f"insertvalue {kind} {result.text}, {value.kind} {value.text}, {k}")
-        self.builder.lines.append(f"ret {result.kind} {result.text}")
+        self._leave(f"ret {result.kind} {result.text}")
 
     def _put(self, name: str, value: Value) -> None:
         self.builder.store(self._as(value, self.kinds[name]), self.variables[name])

@@ -85,6 +85,13 @@ def _allowed(level: str) -> list[str]:
     return features_of(level)
 
 
+def is_x86() -> bool:
+    """Whether this process runs on a processor of Intel's kind."""
+    from llvmlite import binding
+
+    return str(binding.get_process_triple()).startswith(("x86_64", "i386", "i686"))
+
+
 def vector_bytes() -> int:
     """The bytes of the processor's vectors."""
     features = set(_processor()[1].split(","))
