@@ -10,6 +10,7 @@ import pytest
 
 pytest.importorskip("llvmlite")
 
+from motes.fitting.printed import driver_text
 from motes.kernels import drivers, engine, grouped
 from motes.kernels.lowering import lowered
 from motes.kernels.machine_code import is_x86
@@ -96,7 +97,7 @@ def test_small_numbers_are_0_in_a_function_that_flushes_and_nowhere_else() -> No
         assert least / np.float64(2) > 0  # NumPy's own, in the same thread afterwards
 
 
-def test_drivers_of_directions_flush() -> None:
-    for driver in (drivers.EVALUATE, drivers.GRADIENT, drivers.SAMPLE, grouped._DRIVER):
+def test_drivers_flush() -> None:
+    for driver in (drivers.EVALUATE, drivers.GRADIENT, drivers.SAMPLE, grouped._DRIVER, driver_text.FIT):
         name = driver[driver.rindex("def ", 0, driver.rindex("room,")) :].split("(")[0]
         assert f"@kernel\n@flushing\n{name}(" in driver

@@ -192,6 +192,7 @@ RESIDUALS = """if out != 0:
 # of the curvature in `points`.
 FIT = """
 @kernel
+@flushing
 def fit(
     values, times, given, samples, columns, row, basis, box, texels, points, states, held_at, held_step, noise, noise_step,
     limit, leave, every, close, found, errors, codes, covariances, out, room,
