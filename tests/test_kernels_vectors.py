@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 pytest.importorskip("llvmlite")
 
-from motes.kernels import engine
+from motes.kernels import engine, machine_code, vectors
 from motes.kernels.lowering import lowered
 
 LANES = 16
@@ -205,3 +205,28 @@ def test_sums_in_parts_are_those_of_the_whole(samples: int) -> None:
     exact = 1 + np.array([(z * columns[:, None]).sum(0, dtype=float), (z + data).sum(0, dtype=float)])
     np.testing.assert_allclose(found[1], exact, rtol=1e-5)
     assert np.array_equal(found[0], found[1])
+
+
+def test_roots_by_multiplications_are_rounded_as_the_processor_rounds_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    wide = machine_code.vector_bytes() == 64
+    monkeypatch.setattr(vectors, "long_roots", lambda: wide)
+    program = "x y count\na = row x D n\nb = sqrt a\nput y D n b"
+    text = lowered(
+        f'def roots(x, y, count):\n    program = """\n{program}\n"""\n    return vectors.stretch(32, "D", program, x, y, count)\n\n'
+        "@kernel\ndef call(x, y, count):\n    roots(x, y, count)\n"
+    )
+    assert ("vsqrtpd" in machine_code.assembly(text.text)) is not wide
+    rng = np.random.default_rng(5)
+    whole = rng.integers(1 << 52, 1 << 53, 200_000).astype(float)
+    squares = whole * whole
+    x = np.concatenate([
+        rng.random(200_000), 10.0 ** rng.uniform(-280, 300, 200_000), np.nextafter(1, 2) ** np.arange(0, 64), 1 - 2.0**-53 * np.arange(1, 65),
+        squares, np.nextafter(squares, 0), np.nextafter(squares, np.inf), (whole + 0.5 * 2.0**-52) * whole, [0.0, -0.0, np.inf, np.nan, -1.0, -np.inf],
+    ])  # fmt: skip
+    x = np.concatenate([x, np.ones(-len(x) % 32)])
+    y = np.empty_like(x)
+    call = machine_code.loaded(machine_code.compiled(text.text), text.kernels)["call"]
+    call(x.ctypes.data, y.ctypes.data, len(x))
+    with np.errstate(invalid="ignore"):
+        np.testing.assert_array_equal(y.view(np.int64)[x >= 0], np.sqrt(x).view(np.int64)[x >= 0])
+    assert np.isnan(y[~(x >= 0)]).all()

@@ -79,6 +79,7 @@ class Builder:
         self.lines: list[str] = []
         self.places: list[str] = []  # memory of the function's own, made at its beginning
         self.aligned = False
+        self.tuning = ""  # the processor for which LLVM orders instructions, where it is not the one at hand
         self.block = "begin"
         self._count = 0
 
@@ -86,7 +87,8 @@ class Builder:
         """The text of the function."""
         given = ", ".join(f"{kind} {text}" for kind, text in arguments)
         aligned = f" alignstack({LINE})" if self.aligned else ""
-        head = f"define {linkage}{kind} @{name}({given}) {attributes}{aligned} {{"
+        tuned = f' "tune-cpu"="{self.tuning}"' if self.tuning else ""
+        head = f"define {linkage}{kind} @{name}({given}) {attributes}{aligned}{tuned} {{"
         return "\n".join([head, "begin:", *self.places, *self.lines, "}"])
 
     def fresh(self) -> str:

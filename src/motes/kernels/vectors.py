@@ -19,7 +19,7 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from motes.kernels.assembly import DOUBLE, FLOAT, WORD, Builder, Value, number, scalar, vector
-from motes.kernels.machine_code import vector_bytes
+from motes.kernels.machine_code import long_roots, tuning, vector_bytes
 from motes.kernels.transposing import boxed, transposed, turned
 from motes.kernels.vector_functions import Lanes
 
@@ -151,6 +151,8 @@ def stretch(builder: Builder, most: int, letter: str, program: str, *arguments: 
     given = dict(zip(names, arguments, strict=True))
     at_once = 1 if len(rest) > LONG else 4 if vector_bytes() == 32 and not any(line[0] == "sum" for line in rest) else 2
     writer = _Writer(builder, min(most, at_once * _vector(letter)), letter, given)
+    writer.multiplied_roots = long_roots()
+    builder.tuning = tuning()
     values = writer.run(uniform, {})
     with builder.loop(number(WORD, 0), given["count"], writer.lanes) as n:
         writer.run(rest, {"n": n}, values)
