@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
 import motes
 from fitting_oracle import scattered
 from motes.errors import DataError
-from motes.fitting import Fit, Verdict
+from motes.fitting import Fit, Verdict, setup
+from motes.fitting.losses import LOSSES
 from motes.fitting.metrics import deviation
 from motes.measurements import Measurement
 
@@ -111,3 +114,19 @@ def test_a_common_uncertainty_counts_beside_a_bound_that_is_loose() -> None:
         wider = np.hypot(alone["K_d"].stderr, 0.05 * alone["K_d"].value)
         assert shared["K_d"].stderr == pytest.approx(wider, rel=0.05)
     assert bounded >= 3
+
+
+@pytest.mark.parametrize("model", ["oren_nayar + torrance_sparrow", "hapke"])
+@pytest.mark.parametrize("options", [{}, {"weights": "uniform", "robust": "huber"}, {"loss": "cube_root"}], ids=str)
+def test_weights_that_are_alike_are_held_once_and_change_nothing(
+    model: str, options: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    data = Measurement.from_arrays(WI, WO, TRUE + 0.3 * SPREAD, weights=np.full(len(WI), 3.0))
+    held = setup.sample_weights(data, "measurement", LOSSES["linear"]).values
+    assert held.strides == (0, 0, 0)
+    once = motes.fit(data, model, **options)
+    monkeypatch.setattr(setup, "everywhere", lambda number, shape: np.full(shape, number))
+    each = motes.fit(data, model, **options)
+    assert once.metrics == each.metrics
+    np.testing.assert_array_equal(once.covariance, each.covariance)
+    assert once.to_dict()["parameters"] == each.to_dict()["parameters"]

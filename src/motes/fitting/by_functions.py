@@ -158,7 +158,9 @@ class ByFunctions:
         made, (channels, count) = self.made, self.targets.shape
         values = self._coefficients(parameters, 1)[0][0]
 
-        def part(rows: slice) -> Floats:
+        whole = np.empty((channels, count))
+
+        def part(rows: slice) -> None:
             f: Floats = values[:, : made.clamped] @ self.fixed[: made.clamped, rows]
             if made.clamped:
                 np.maximum(f, 0.0, out=f)
@@ -168,10 +170,11 @@ class ByFunctions:
                 q = values[:, made.fixed + k, None]
                 if q.any():
                     f += q * b
-            return f
+            whole[:, rows] = f
 
         with np.errstate(all="ignore"):
-            return np.concatenate(in_passes(part, count, channels, CHUNK), axis=-1)
+            in_passes(part, count, channels, CHUNK)
+        return whole
 
     def spread(self, parameters: dict[str, Any], inverse: Floats) -> Floats:
         """The middle of the sandwich (P, P): see `motes.fitting.problem.Problem.spread`."""

@@ -16,6 +16,7 @@ from typing import Any, Self, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from motes.arrays import dot
 from motes.fitting.algebra import ARRAYS, Arrays
 from motes.fitting.arrowhead import Arrowhead
 from motes.fitting.by_functions import ByFunctions
@@ -23,7 +24,8 @@ from motes.fitting.channel_layout import ChannelLayout
 from motes.fitting.channels_among_many import CHANNELS, rise_among_channels
 from motes.fitting.columns import Columns
 from motes.fitting.covariance import LEAST_REMAINDER
-from motes.fitting.data_passes import directions_last, in_passes
+from motes.fitting.data_passes import directions_first, directions_last, in_passes, rows_of, transformed
+from motes.fitting.even_weights import count, rooted, roots_of, same_in_channels, taken
 from motes.fitting.losses import Floats, Loss, Robust
 from motes.fitting.objective import Objective
 from motes.fitting.quantities import Quantity, columns_for
@@ -93,8 +95,8 @@ class Problem(Objective):
             ("_function", function),
             ("_separated", made),
             ("_cosines", cosines),
-            ("_targets", self.loss.transform(directions_last(self.values), cosines)),
-            ("_roots", np.sqrt(directions_last(self.weights))),
+            ("_targets", transformed(self.loss, self.values, cosines)),
+            ("_roots", roots_of(self.weights)),
         ):
             object.__setattr__(self, name, value)
 
@@ -106,13 +108,13 @@ class Problem(Objective):
     def _by_functions(self) -> ByFunctions | None:
         """The sums of a fit in another way; None where the model, the loss or the weights do not allow it."""
         made, roots = self._separated, self._roots
-        if made is None or self.robust.name != "none" or self.values.ndim != 2 or not (roots[1:] == roots[0]).all():
+        if made is None or self.robust.name != "none" or self.values.ndim != 2 or not same_in_channels(roots):
             return None
         fixed, columns, sure = self._functions
         if made.clamped and not sure:
             return None
         slope = self.loss.slope(np.zeros(()), self._cosines)
-        return ByFunctions(made, fixed, columns, roots[0] * slope, roots * self._targets, self.layout)
+        return ByFunctions(made, fixed, columns, roots[0] * slope, self._weighted, self.layout)
 
     @cached_property
     def _functions(self) -> Seen:
@@ -136,7 +138,7 @@ class Problem(Objective):
 
     @property
     def samples(self) -> int:
-        return int(np.count_nonzero(self.weights))
+        return count(self.weights)
 
     @cached_property
     def columns(self) -> Columns:
@@ -159,7 +161,14 @@ class Problem(Objective):
 
     @cached_property
     def _brightness(self) -> Floats:
+        if self.values.ndim == 2:
+            return np.array([dot(self._weighted, self._weighted)])
         return np.atleast_1d(np.square(self._roots * self._targets).sum(axis=(-2, -1)))
+
+    @cached_property
+    def _weighted(self) -> Floats:
+        """What residuals are taken from (C, N), in their units."""
+        return rooted(self._roots, self._targets)
 
     def labels(self, channels: tuple[str, ...]) -> tuple[str, ...]:
         """A name for each fitted value: ``K_d[R]``, ``sigma_d``."""
@@ -171,7 +180,7 @@ class Problem(Objective):
     def _with(self, **changes: Any) -> Self:
         """A copy with other attributes, what is computed of the directions among them; without what was found so far."""
         other = copy(self)
-        for name in ("_brightness", "_last", "_by_functions"):
+        for name in ("_brightness", "_last", "_by_functions", "_weighted"):
             other.__dict__.pop(name, None)
         for name, value in changes.items():
             object.__setattr__(other, name, value)
@@ -186,10 +195,10 @@ class Problem(Objective):
             wi=self.wi.take(rows, axis=0),
             wo=self.wo.take(rows, axis=0),
             values=self.values.take(rows, axis=-2),
-            weights=self.weights.take(rows, axis=-2),
+            weights=taken(self.weights, rows, -2),
             _cosines=self._cosines[rows],
             _targets=self._targets.take(rows, axis=-1),
-            _roots=self._roots.take(rows, axis=-1),
+            _roots=taken(self._roots, rows, -1),
         )
         other.__dict__.pop("_functions", None)
         if "_columns" in self.__dict__:  # what is not known of the directions yet may never be asked for
@@ -202,7 +211,7 @@ class Problem(Objective):
 
     def weighing(self, weights: Floats) -> Self:
         """The same data with other weights (N, C), or with several, (T, N, C)."""
-        return self._with(weights=weights, _roots=np.sqrt(directions_last(weights)))
+        return self._with(weights=weights, _roots=roots_of(weights))
 
     def some_channels(self, channels: NDArray[np.intp]) -> Self:
         """The problem at some of the channels."""
@@ -248,7 +257,7 @@ class Problem(Objective):
 
     def predicted(self, x: Floats) -> Floats:
         """The BRDF (N, C) [1/sr] for one parameter vector (P,)."""
-        return np.ascontiguousarray(self._predicted(x).T)
+        return directions_first(self._predicted(x))
 
     def _predicted(self, x: Floats) -> Floats:
         """The same as (C, N)."""
@@ -265,14 +274,14 @@ class Problem(Objective):
 
     def residuals(self, x: Floats) -> Floats:
         """Weighted residuals (N, C) for one parameter vector (P,); 0 where masked."""
-        return (self._roots * (self.loss.transform(self._predicted(x), self._cosines) - self._targets)).T
+        return rooted(self._roots, self.loss.transform(self._predicted(x), self._cosines) - self._targets).T
 
     def misfits(self, x: Floats, sets: NDArray[np.intp] | None = None) -> Floats:
         """Weighted residuals (B, C, N) for parameter vectors (B, P), each of its data set."""
 
         def part(rows: slice) -> Floats:
-            apart = self.loss.transform(self._f(x, rows), self._cosines[rows]) - self._data(self._targets, rows, sets)
-            return np.asarray(self._data(self._roots, rows, sets) * apart)
+            apart = self.loss.transform(self._f(x, rows), self._cosines[rows]) - rows_of(self._targets, rows, sets)
+            return np.asarray(rows_of(self._roots, rows, sets) * apart)
 
         return np.concatenate(self._mapped(part, len(x)), axis=-1)
 
@@ -293,17 +302,14 @@ class Problem(Objective):
         and White's HC3 (1985), which does not ask whether the noise is the same everywhere, or goes with the weights."""
         if sets is None and self._by_functions is not None:
             return self._by_functions.spread(self._by_channel(x[None]), inverse)
-        parts = self._mapped(lambda rows: self._spread_part(x[None], inverse, rows, sets), 1)
-        return np.asarray(np.sum(parts, axis=0))
+        return np.asarray(np.sum(self._mapped(lambda rows: self._spread_part(x[None], inverse, rows, sets), 1), axis=0))
 
     def curvature(self, x: Floats, sets: NDArray[np.intp] | None = None) -> Floats:
         """The expected second derivative (P, P) of the objective at one parameter vector, for standard errors: the Gauss-Newton matrix; under a robust
         function less than the matrix that makes good steps, which leaves out that a residual counts less as it grows."""
         if self.robust.name == "none":
-            matrix: Floats = self.normal(x[None], sets).matrix[0]
-            return matrix
-        parts = self._mapped(lambda rows: self._curvature_part(x[None], rows, sets), 1)
-        return np.asarray(np.sum(parts, axis=0))
+            return np.asarray(self.normal(x[None], sets).matrix[0])
+        return np.asarray(np.sum(self._mapped(lambda rows: self._curvature_part(x[None], rows, sets), 1), axis=0))
 
     def pull(self, x: Floats, sets: NDArray[np.intp] | None = None) -> Floats:
         values = directions_last(self.values)
@@ -312,7 +318,7 @@ class Problem(Objective):
 
         def part(rows: slice) -> Floats:
             _, jacobian = self.linearised(x[None], rows, sets)
-            push = self._data(moved, rows, sets)
+            push = rows_of(moved, rows, sets)
             pushed = np.einsum("bcnk,bcn->bck", jacobian, push.reshape(1, *push.shape[-2:]))
             return np.asarray(self.layout.vector(pushed)[0])
 
@@ -349,8 +355,7 @@ class Problem(Objective):
         residual, jacobian = self.linearised(x, rows, sets)
         z = (residual / self.scale) ** 2
         psi = (residual * self.robust.slope(z))[0]  # (C, n)
-        index = self.layout.index  # (C, K)
-        blocks = inverse[index[:, :, None], index[:, None, :]]  # (C, K, K)
+        blocks = inverse[self.layout.index[:, :, None], self.layout.index[:, None, :]]  # (C, K, K)
         transposed = np.swapaxes(jacobian[0], 1, 2)  # (C, K, n), which is how it lies in memory
         leverage = ((blocks @ transposed) * transposed).sum(axis=1)
         leverage *= self.robust.bend(z)[0]
@@ -361,7 +366,7 @@ class Problem(Objective):
         """Weighted residuals (B, C, n) and their derivatives (B, C, n, K): per-channel parameters, then shared."""
         f, derivatives = self._function.values_and_jacobian(self._rows(rows), self._arguments(x))
         f = self._broadcast(f, rows, len(x))
-        roots, targets = (self._data(part, rows, sets) for part in (self._roots, self._targets))
+        roots, targets = (rows_of(part, rows, sets) for part in (self._roots, self._targets))
         cosines = self._cosines[rows]
         residual = roots * (self.loss.transform(f, cosines) - targets)
         slope = roots * self.loss.slope(f, cosines)  # (B, C, n) or (C, n)
@@ -370,11 +375,6 @@ class Problem(Objective):
         for k, name in enumerate(self.layout.order):
             np.multiply(derivatives[name], slope, out=transposed[:, :, k])
         return residual, np.swapaxes(transposed, 2, 3)
-
-    @staticmethod
-    def _data(array: Floats, rows: slice, sets: NDArray[np.intp] | None) -> Floats:
-        """Rows of (C, N), or of the data sets (B, C, N) of each vector."""
-        return array[:, rows] if array.ndim == 2 else array[slice(None) if sets is None else sets, :, rows]
 
     def _arguments(self, x: Floats) -> dict[str, Floats | float]:
         held = {k: v if np.ndim(v) == 0 else directions_last(np.asarray(v)) for k, v in self.fixed.items()}

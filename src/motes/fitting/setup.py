@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from motes.arrays import any_last
 from motes.errors import DataError, MotesError
 from motes.fitting.columns import unit_of
+from motes.fitting.even_weights import everywhere, one_number
 from motes.fitting.losses import LOSSES, ROBUST, Floats, Loss
 from motes.fitting.problem import Problem
 from motes.fitting.quantities import Quantity, layout
@@ -113,12 +114,13 @@ def prepare(data: Measurement, model: str | BRDF | Parsed, wishes: Wishes, lenie
     unit = unit_of(data.values, data.mask)
     loss = LOSSES[wishes.loss].of_unit(unit)
     full, factor = sample_weights(data, wishes.weights, loss)
-    used: Any = any_last(full).any(axis=0)
-    every = bool(used.all())
+    alike = one_number(full)  # as where nothing is masked
+    used: Any = None if alike else any_last(full).any(axis=0)
+    every = alike or bool(used.all())
     used = slice(None) if every else used  # no copies of large data
     wi, wo = (data.wi, data.wo) if every else (data.wi[used], data.wo[used])
     wi.setflags(write=False), wo.setflags(write=False)  # so that what is found out about them is kept
-    values = (data.values if full.all() else np.where(full > 0, data.values, 0.0))[:, used]
+    values = (data.values if alike or full.all() else np.where(full > 0, data.values, 0.0))[:, used]
     full = full[:, used]
     if not values.any():
         raise DataError(
@@ -216,6 +218,8 @@ def sample_weights(data: Measurement, weights: str | ArrayLike, loss: Loss) -> W
         )
     if not (np.isfinite(given).all() and (given >= 0).all()):
         raise DataError("weights hold a negative or non-finite value", "Weights are 0 or positive")
+    if (given == given.flat[0]).all() and given.flat[0] > 0 and data.mask.all():
+        return Weights(everywhere(1.0, data.mask.shape), None)
     return _scaled(data, np.where(data.mask, given, 0.0), False)
 
 
