@@ -48,7 +48,7 @@ def _text() -> str:
 
 @functools.cache
 def _rows() -> machine_code.Kernel:
-    return machine_code.loaded(machine_code.compiled(_text()), {"rows": (6, False)})["rows"]
+    return machine_code.loaded([machine_code.compiled(_text())], {"rows": (6, False)})["rows"]
 
 
 def stream(a: NDArray[np.float32], b: NDArray[np.float32], out: NDArray[np.float32]) -> None:

@@ -157,7 +157,7 @@ def test_what_was_planted_in_a_cache_is_not_run(
     evaluated()
     (kept,) = cache.iterdir()
     planted = lowered(PLANTED)
-    module_cache.keep(cache, kept.name, machine_code.compiled(planted.text), planted.kernels)
+    module_cache.keep(cache, kept.name, [machine_code.compiled(planted.text)], planted.kernels)
     before = {path: path.read_bytes() for path in cache.rglob("*") if path.is_file()}
     cache.chmod(0o777)
     with caplog.at_level(logging.WARNING, logger="motes.kernels"):

@@ -325,5 +325,6 @@ def test_the_form_is_chosen_by_what_it_costs() -> None:
     assert series.work(100) < 0.8 * other.work(100)
     bounds = dict.fromkeys(PARAMETERS, (0.01, 1.0))
     for loss, robust in (("log", "none"), ("linear", "huber")):
-        given = (recorded.trace, recorded.fitted, LOSSES[loss], ROBUST[robust], recorded.sampled, bounds, 100)
-        assert equations_of_whole(*given) is None
+        given = (recorded.trace, recorded.fitted, LOSSES[loss], ROBUST[robust])
+        data = (recorded.sampled, bounds, 100)
+        assert equations_of_whole(*given, *data, lambda: other) is None

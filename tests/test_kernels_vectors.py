@@ -225,7 +225,7 @@ def test_roots_by_multiplications_are_rounded_as_the_processor_rounds_them(monke
     ])  # fmt: skip
     x = np.concatenate([x, np.ones(-len(x) % 32)])
     y = np.empty_like(x)
-    call = machine_code.loaded(machine_code.compiled(text.text), text.kernels)["call"]
+    call = machine_code.loaded([machine_code.compiled(text.text)], text.kernels)["call"]
     call(x.ctypes.data, y.ctypes.data, len(x))
     with np.errstate(invalid="ignore"):
         np.testing.assert_array_equal(y.view(np.int64)[x >= 0], np.sqrt(x).view(np.int64)[x >= 0])

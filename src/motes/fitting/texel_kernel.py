@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import dataclass, field
+from functools import cached_property, partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -109,6 +109,7 @@ class Recorded:
     trace: tracing.Trace
     fitted: list[str]
     sampled: Sampled
+    _found: dict[tuple[str, str], NormalEquations] = field(default_factory=dict)
 
     @classmethod
     def of(cls, fit: TexelSetup) -> Recorded:
@@ -124,8 +125,11 @@ class Recorded:
         return cls(trace, fitted, Sampled(trace, model, fitted, fit))
 
     def equations(self, fit: TexelSetup, form: str, robust: Robust) -> NormalEquations:
-        """The normal equations in the form ``"direct"``, or in the ``"cheapest"`` of it and ``"moments"``."""
-        return module.equations(self.trace, self.fitted, fit.loss, robust, form)
+        """The normal equations in the form ``"direct"``, or in the ``"cheapest"`` of it and ``"moments"``; found once."""
+        key = "direct" if form == "direct" else "cheapest", robust.name
+        if key not in self._found:
+            self._found[key] = module.equations(self.trace, self.fitted, fit.loss, robust, form)
+        return self._found[key]
 
     def equations_of_whole(self, fit: TexelSetup, robust: Robust) -> NormalEquations | None:
         """Those in the form ``"series"`` where that is cheaper, which serves texels that miss nothing."""
@@ -133,7 +137,9 @@ class Recorded:
         bounds = {
             q.name: (float(facts.low[q.where.start, 0]), float(facts.high[q.where.start, 0])) for q in fit.quantities
         }
-        return module.equations_of_whole(self.trace, self.fitted, fit.loss, robust, self.sampled, bounds, len(fit.wi))
+        others = partial(self.equations, fit, "cheapest", robust)
+        given = self.trace, self.fitted, fit.loss, robust, self.sampled, bounds, len(fit.wi)
+        return module.equations_of_whole(*given, others)
 
 
 class Domain(NamedTuple):

@@ -6,11 +6,13 @@ What no output needs is never visited.
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
+from operator import attrgetter
 from typing import Any
 
 from motes.arrays import Array
 from motes.graph.symbols import Symbol, compute
 
+_index = attrgetter("index")
 DIRECTIONS, PARAMETERS = 1, 2  # the bits of a model's leaves
 
 
@@ -24,7 +26,7 @@ def live(outputs: Iterable[Symbol], given: Container[Symbol] = ()) -> list[Symbo
             seen.add(symbol)
             if symbol not in given:
                 stack.extend(symbol.args)
-    return sorted(seen, key=lambda symbol: symbol.index)
+    return sorted(seen, key=_index)
 
 
 def evaluate(xp: Any, outputs: Sequence[Symbol], leaves: Mapping[Symbol, Array]) -> list[Array]:
@@ -42,9 +44,10 @@ def dependence(outputs: Iterable[Symbol], leaves: Mapping[Symbol, int]) -> dict[
     """For every live symbol the union (bitwise or) of the bits of the leaves it depends on; 0 for constants."""
     bits: dict[Symbol, int] = {}
     for symbol in live(outputs):
-        bits[symbol] = leaves.get(symbol, 0)
+        bit = leaves.get(symbol, 0)
         for a in symbol.args:
-            bits[symbol] |= bits[a]
+            bit |= bits[a]
+        bits[symbol] = bit
     return bits
 
 
@@ -58,8 +61,11 @@ def rewritten(outputs: Sequence[Symbol], rule: Callable[[Symbol, tuple[Symbol, .
     """The outputs with operations replaced: ``rule(symbol, new_arguments)`` gives a replacement, or None to keep the operation."""
     new: dict[Symbol, Symbol] = {}
     for symbol in live(outputs):
-        args = tuple(new[a] for a in symbol.args)
-        replacement = rule(symbol, args) if args else None
+        if not symbol.args:
+            new[symbol] = symbol
+            continue
+        args = tuple([new[a] for a in symbol.args])
+        replacement = rule(symbol, args)
         if replacement is None:
             replacement = symbol if args == symbol.args else symbol.graph.apply(symbol.op, *args)
         new[symbol] = replacement

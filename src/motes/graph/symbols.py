@@ -153,8 +153,11 @@ class Graph:
 
     def apply(self, op: str, *operands: Symbol | float | bool) -> Symbol:
         """The symbol of an operation: folded, found again, or new."""
-        args = tuple(self.lift(x) for x in operands)
-        if all(a.op == "constant" for a in args):
+        args = tuple([x if isinstance(x, Symbol) and x.graph is self else self.lift(x) for x in operands])
+        for a in args:
+            if a.op != "constant":
+                break
+        else:
             with np.errstate(all="ignore"):
                 result = compute(
                     NUMPY, op, *(np.bool_(a.value) if isinstance(a.value, bool) else np.float64(a.value) for a in args)
@@ -164,13 +167,16 @@ class Graph:
         if simpler is not None:
             return simpler
         indices = [a.index for a in args]
-        return self._node((op, *(sorted(indices) if op in _COMMUTATIVE else indices)), op, args, None)
+        if op in _COMMUTATIVE:
+            indices.sort()
+        return self._node((op, *indices), op, args, None)
 
     def _node(self, key: tuple[Any, ...], op: str, args: tuple[Symbol, ...], value: Any) -> Symbol:
-        if key not in self._known:
-            self._known[key] = Symbol(self, len(self.nodes), op, args, value)
-            self.nodes.append(self._known[key])
-        return self._known[key]
+        known = self._known.get(key)
+        if known is None:
+            known = self._known[key] = Symbol(self, len(self.nodes), op, args, value)
+            self.nodes.append(known)
+        return known
 
     def _simplified(self, op: str, a: Symbol, b: Symbol | None = None, c: Symbol | None = None) -> Symbol | None:
         """An equal, smaller expression, or None."""
@@ -178,9 +184,16 @@ class Graph:
             return a.args[0] if a.op == "neg" else None
         if b is None:
             return None
-        if op in ("add", "mul") and a.is_constant():
-            a, b = b, a  # the constant, if any, is b
-        if op == "add":
+        if op == "mul":
+            if a.op == "constant":
+                a, b = b, a  # the constant, if any, is b
+            if b.op == "constant":
+                for unit, result in ((0.0, b), (1.0, a), (-1.0, None)):
+                    if b.is_constant(unit):
+                        return -a if result is None else result
+        elif op == "add":
+            if a.op == "constant":
+                a, b = b, a
             if b.is_constant(0):
                 return a
             if b.op == "neg":
@@ -196,10 +209,6 @@ class Graph:
                 return -b
             if b.op == "neg":
                 return a + b.args[0]
-        elif op == "mul":
-            for unit, result in ((0.0, b), (1.0, a), (-1.0, None)):
-                if b.is_constant(unit):
-                    return -a if result is None else result
         elif op == "div":
             if b.is_constant(1) or a.is_constant(0):
                 return a

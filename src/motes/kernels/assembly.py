@@ -7,6 +7,7 @@ llvmlite's own objects for instructions take ten times as long to make and to pr
 from __future__ import annotations
 
 import struct
+import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import NamedTuple
@@ -16,6 +17,8 @@ FLAGS = "nsz arcp contract"
 WORD, INT, BYTE, TRUTH, FLOAT, DOUBLE = "i64", "i32", "i8", "i1", "float", "double"
 SIZES = {TRUTH: 1, BYTE: 1, INT: 4, WORD: 8, FLOAT: 4, DOUBLE: 8}
 LINE = 64  # bytes of a cache line
+# Letters from which on a module is compiled in parts, a third of a second's work, and that a part has at least.
+SHORT, PART = 200_000, 70_000
 _FLOATS = {"F": FLOAT, "D": DOUBLE}
 
 
@@ -43,11 +46,21 @@ def number(kind: str, value: float) -> Value:
     return Value(kind, str(int(value)))
 
 
+class Function(NamedTuple):
+    """A function: its text, what it calls, how others declare it, and whether it goes into no other."""
+
+    name: str
+    text: str
+    calls: frozenset[str]
+    declaration: str
+    apart: bool
+
+
 class Assembly:
     """A module: its functions, the functions of LLVM's that it calls, and what is promised about memory."""
 
     def __init__(self) -> None:
-        self.functions: list[str] = []
+        self.functions: list[Function] = []
         self._declared: dict[str, str] = {}
         self._metadata: dict[str, int] = {}
 
@@ -67,8 +80,44 @@ class Assembly:
 
     def text(self) -> str:
         """All of it."""
+        return self._of([function.text for function in self.functions])
+
+    def parts(self) -> list[str]:
+        """The same in parts that can be compiled at once, whose objects belong together.
+
+        What is not `apart` goes with all that call it.  A short module is one part, and so is one that is mostly one function.  Objects of other systems
+        than Linux have not been seen to find each other.
+        """
+        apart = sorted((function for function in self.functions if function.apart), key=lambda f: -len(f.text))
+        longest, whole = len(apart[0].text) if apart else 0, sum(len(function.text) for function in apart)
+        if not sys.platform.startswith("linux") or whole < SHORT or 2 * longest > whole:
+            return [self.text()]
+        parts: list[list[Function]] = [[]]
+        for function in apart:
+            if sum(len(f.text) for f in parts[-1]) >= PART:
+                parts.append([])
+            parts[-1].append(function)
+        return [self._part(part) for part in parts]
+
+    def _part(self, part: Sequence[Function]) -> str:
+        """The text of some functions with all that goes into them."""
+        known = {function.name: function for function in self.functions}
+        wanted, declared = {function.name: function for function in part}, dict[str, str]()
+        waiting = list(part)
+        while waiting:
+            for name in waiting.pop().calls & known.keys() - wanted.keys():
+                if known[name].apart:
+                    declared[name] = known[name].declaration
+                else:
+                    wanted[name] = known[name]
+                    waiting.append(known[name])
+        texts = [f.text.replace("define internal ", "define ", 1) if f.apart else f.text for f in wanted.values()]
+        return self._of([*texts, *declared.values()])
+
+    def _of(self, functions: Sequence[str]) -> str:
+        """The text of a module."""
         nodes = [f"!{k} = {text}" for text, k in self._metadata.items()]
-        return "\n".join([*self.functions, *self._declared.values(), *nodes, ""])
+        return "\n".join([*functions, *self._declared.values(), *nodes, ""])
 
 
 class Builder:
@@ -81,15 +130,20 @@ class Builder:
         self.aligned = False
         self.tuning = ""  # the processor for which LLVM orders instructions, where it is not the one at hand
         self.block = "begin"
+        self.calls: set[str] = set()
         self._count = 0
 
-    def function(self, name: str, kind: str, arguments: Sequence[Value], attributes: str, linkage: str = "") -> str:
-        """The text of the function."""
+    def function(
+        self, name: str, kind: str, arguments: Sequence[Value], attributes: str, linkage: str = ""
+    ) -> Function:
+        """What was written, as a function."""
         given = ", ".join(f"{kind} {text}" for kind, text in arguments)
         aligned = f" alignstack({LINE})" if self.aligned else ""
         tuned = f' "tune-cpu"="{self.tuning}"' if self.tuning else ""
         head = f"define {linkage}{kind} @{name}({given}) {attributes}{aligned}{tuned} {{"
-        return "\n".join([head, "begin:", *self.places, *self.lines, "}"])
+        text = "\n".join([head, "begin:", *self.places, *self.lines, "}"])
+        declaration = f"declare {kind} @{name}({', '.join(argument.kind for argument in arguments)})"
+        return Function(name, text, frozenset(self.calls), declaration, not linkage or "noinline" in attributes)
 
     def fresh(self) -> str:
         self._count += 1
@@ -127,6 +181,7 @@ class Builder:
 
     def call(self, name: str, kind: str, arguments: Sequence[Value], flags: str = "") -> Value:
         """What a function returns; nothing for ``void``."""
+        self.calls.add(name)
         given = ", ".join(f"{argument.kind} {argument.text}" for argument in arguments)
         call = f"call {flags and flags + ' '}{kind} @{name}({given})"
         if kind == "void":

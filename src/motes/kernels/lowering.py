@@ -11,6 +11,9 @@ program of `motes.kernels.vectors`.  It says so in few words::
         for n in range(count * LANES):
             store(D, rows, n, D(0.0), "clear", 0, 1)
 
+    @apart                      # goes into no other, and is made short: for what is done once for many
+    def load_block(...): ...
+
     @kernel                     # what the engine calls: all arguments are integers, and so is what is returned, if anything
     def fit(...): ...
 
@@ -39,9 +42,10 @@ _KINDS = {"float32": FLOAT, "float64": DOUBLE, "int32": INT, "int64": WORD, "uin
 
 
 class Lowered(NamedTuple):
-    """LLVM's text of a module; of each of its kernels the number of arguments, and whether it returns an integer."""
+    """LLVM's text of a module, whole and in parts; of each of its kernels the number of arguments, and whether it returns an integer."""
 
     text: str
+    parts: list[str]
     kernels: dict[str, tuple[int, bool]]
 
 
@@ -53,7 +57,7 @@ def lowered(source: str) -> Lowered:
         if _decorated(node, "kernel"):
             count = len(node.args.args)
             kernels[name] = count, bool(module.called(name, (WORD,) * count).kinds)
-    return Lowered(module.assembly.text(), kernels)
+    return Lowered(module.assembly.text(), module.assembly.parts(), kernels)
 
 
 def _decorated(node: ast.FunctionDef, how: str) -> bool:
@@ -141,6 +145,8 @@ class _Function(Expressions):
             if not self._block(self.node.body):
                 self._leave("ret void")
             how = "alwaysinline nounwind" if _decorated(self.node, "inline") else "nounwind"
+            if _decorated(self.node, "apart"):
+                how = "noinline optsize nounwind"
         found = Returned(self.label, self.returned)
         linkage = "" if _decorated(self.node, "kernel") else "internal "
         self.module.assembly.functions.append(self.builder.function(self.label, found.kind, self.given, how, linkage))

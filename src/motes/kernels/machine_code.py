@@ -10,10 +10,11 @@ import ctypes
 import functools
 import os
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from motes.errors import MotesError
+from motes.kernels import object_code
 
 #: Kernels are functions of integers; they let go of the interpreter's lock.
 Kernel = Callable[..., Any]
@@ -28,14 +29,7 @@ LEVELS = {
 
 def _machine() -> Any:
     """What LLVM knows of this processor; an engine takes one for itself."""
-    from llvmlite import binding
-
-    binding.initialize_native_target()
-    binding.initialize_native_asmprinter()
-    target = binding.Target.from_triple(binding.get_process_triple())
-    cpu, features = _processor()
-    reloc = "static" if target.name.startswith("x86") else "default"
-    return target.create_target_machine(cpu, features, opt=3, reloc=reloc, codemodel="jitdefault", jit=True)
+    return object_code.machine_for(*_processor())
 
 
 @functools.cache
@@ -126,10 +120,14 @@ def description() -> str:
     return "\0".join([*versions, binding.get_process_triple(), *_processor(), str(long_roots())])
 
 
+def processor() -> tuple[str, str]:
+    """The name and the features of the processor that is compiled for."""
+    return _processor()
+
+
 def compiled(text: str) -> bytes:
-    """The object of a module."""
-    machine = _machine()
-    return bytes(machine.emit_object(optimised(text, machine)))
+    """The object of a module, or of a part of one."""
+    return object_code.object_of(text, *_processor())
 
 
 def assembly(text: str) -> str:
@@ -140,26 +138,17 @@ def assembly(text: str) -> str:
 
 def optimised(text: str, machine: Any = None) -> Any:
     """LLVM's module of a text, as it is before it becomes an object."""
-    from llvmlite import binding
-
-    machine = machine or _machine()
-    module = binding.parse_assembly(text)
-    module.triple, module.data_layout = binding.get_process_triple(), str(machine.target_data)
-    module.verify()
-    tuning = binding.create_pipeline_tuning_options(3)
-    tuning.loop_vectorization, tuning.slp_vectorization = True, False
-    builder = binding.create_pass_builder(machine, tuning)
-    builder.getModulePassManager().run(module, builder)
-    return module
+    return object_code.optimised_for(text, machine or _machine())
 
 
-def loaded(code: bytes, kernels: Mapping[str, tuple[int, bool]]) -> dict[str, Kernel]:
-    """The functions of an object, by name; of each the number of arguments, and whether it returns an integer."""
+def loaded(codes: Sequence[bytes], kernels: Mapping[str, tuple[int, bool]]) -> dict[str, Kernel]:
+    """The functions of objects that call each other, by name; of each the number of arguments, and whether it returns an integer."""
     from llvmlite import binding
 
     with _lock:
         engine = binding.create_mcjit_compiler(binding.parse_assembly(""), _machine())
-        engine.add_object_file(binding.ObjectFileRef.from_data(code))
+        for code in codes:
+            engine.add_object_file(binding.ObjectFileRef.from_data(code))
         engine.finalize_object()
         return {name: _called(engine, name, *how) for name, how in kernels.items()}
 

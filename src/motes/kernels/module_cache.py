@@ -12,7 +12,8 @@ import logging
 import os
 import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from itertools import accumulate
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -62,14 +63,24 @@ def compiled_module(source: str, title: str, on_compile: Callable[[str], None] |
     on_compile
         Called with a sentence before something is compiled, which takes about a second.
     """
-    from motes.kernels import assembly, lowered_values, lowering, machine_code, transposing, vector_functions, vectors
+    from motes.kernels import (
+        assembly,
+        compiling,
+        lowered_values,
+        lowering,
+        machine_code,
+        object_code,
+        transposing,
+        vector_functions,
+        vectors,
+    )
     from motes.printing import elementary
     from motes.version import __version__
 
-    used = [
-        Path(m.__file__ or "").read_text(encoding="utf-8")
-        for m in (assembly, elementary, lowered_values, lowering, machine_code, transposing, vector_functions, vectors)
-    ]
+    makers = (
+        assembly, elementary, lowered_values, lowering, machine_code, object_code, transposing, vector_functions, vectors
+    )  # fmt: skip
+    used = [Path(m.__file__ or "").read_text(encoding="utf-8") for m in makers]
     basis = [source, __version__, machine_code.description(), *used]
     name = "motes_" + hashlib.sha256("\0".join(basis).encode()).hexdigest()[:24]
     log = logging.getLogger(__name__)
@@ -92,17 +103,18 @@ def compiled_module(source: str, title: str, on_compile: Callable[[str], None] |
     log.info(sentence)
     if on_compile is not None:
         on_compile(sentence)
-    lowered = lowering.lowered(source)
-    code = machine_code.compiled(lowered.text)
+    with compiling.Parts(source) as parts:
+        lowered = lowering.lowered(source)
+        codes = parts.compiled(lowered.parts)
     if folder is not None:
         try:
-            keep(folder, name, code, lowered.kernels)
+            keep(folder, name, codes, lowered.kernels)
         except OSError as error:  # full, say
             log.info("the cache folder %s cannot be used: %s", folder, error)
-    return SimpleNamespace(**machine_code.loaded(code, lowered.kernels))
+    return SimpleNamespace(**machine_code.loaded(codes, lowered.kernels))
 
 
-def _read(folder: Path, name: str) -> tuple[bytes, dict[str, tuple[int, bool]]] | None:
+def _read(folder: Path, name: str) -> tuple[list[bytes], dict[str, tuple[int, bool]]] | None:
     """What was compiled, and its kernels; None where it is not there, or damaged."""
     folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     path = folder / name
@@ -116,14 +128,18 @@ def _read(folder: Path, name: str) -> tuple[bytes, dict[str, tuple[int, bool]]] 
         said = json.loads(head)
         if said["sha256"] != hashlib.sha256(code).hexdigest():
             return None
-        return code, {str(kernel): (int(count), bool(returns)) for kernel, (count, returns) in said["kernels"].items()}
+        ends = list(accumulate(map(int, said["bytes"])))
+        codes = [code[first:last] for first, last in zip([0, *ends], ends, strict=False)]
+        return codes, {str(kernel): (int(count), bool(returns)) for kernel, (count, returns) in said["kernels"].items()}
     except (ValueError, KeyError, TypeError, AttributeError):  # no object of JSON, or one of something else
         return None
 
 
-def keep(folder: Path, name: str, code: bytes, kernels: dict[str, tuple[int, bool]]) -> None:
+def keep(folder: Path, name: str, codes: Sequence[bytes], kernels: dict[str, tuple[int, bool]]) -> None:
     """Keep what was compiled: written beside and renamed, so that it is there whole or not at all."""
-    head = json.dumps({"sha256": hashlib.sha256(code).hexdigest(), "kernels": kernels})
+    code = b"".join(codes)
+    about = {"sha256": hashlib.sha256(code).hexdigest(), "bytes": [len(part) for part in codes], "kernels": kernels}
+    head = json.dumps(about)
     handle, temporary = tempfile.mkstemp(prefix=f".{name}.", suffix=".tmp", dir=folder)
     try:
         with os.fdopen(handle, "wb") as file:

@@ -9,6 +9,7 @@ def clear(rows, count):
 """
 
 LOAD = """
+@apart
 def load_block(source, stride, last, given, samples, times, columns, row, data, raw):
     numbers = given * CHANNELS
     for t in range(times):
@@ -36,6 +37,7 @@ def ahead(address, end):
 """
 
 PASS = """
+@apart
 def {name}(x, room, own, columns, row, basis, times, every, samples, data{total}, coming, end):
     parameters, slopes, constants, wide = room + AT_PARAMETERS, room + AT_SLOPES, room + AT_CONSTANTS, room + AT_WIDE
     summed, normal, shared = room + AT_SUMMED, room + AT_NORMAL, basis + 8 * BASIS * times
@@ -54,6 +56,7 @@ def any_of(rows):
     return total > D(0.0)
 
 
+@apart
 def column_of(matrix, k, column):
     for i in range(SIZE):
         at = i * (i + 1) // 2 + k if k <= i else k * (k + 1) // 2 + i
@@ -65,6 +68,7 @@ def inverse_of(curvature, among, blurred, inverse, now_blurred):
     inverse_at(curvature, among, blurred, inverse, now_blurred)
 
 
+@apart
 def closing(x, room, own, box, columns, row, basis, times, samples, data, roughly, whole, coming, end):
     parameters, slopes, constants, wide = room + AT_PARAMETERS, room + AT_SLOPES, room + AT_CONSTANTS, room + AT_WIDE
     normal, curved, leverage, middle = room + AT_NORMAL, room + AT_CURVED, room + AT_LEVERAGE, room + AT_MIDDLE
@@ -132,6 +136,7 @@ def closing(x, room, own, box, columns, row, basis, times, samples, data, roughl
 """
 
 STEP = """
+@apart
 def proposed(state, box, own, room, trial):
     stops, next_stops = room + AT_STOPS, room + AT_NEXT_STOPS
     held(state, box, own, stops)

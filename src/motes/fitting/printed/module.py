@@ -8,7 +8,7 @@ fit gives does not depend on its neighbours, on chunks or on threads.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from motes.fitting.columns import Columns
@@ -79,8 +79,9 @@ def equations_of_whole(
     sample: Sampler,
     bounds: Mapping[str, tuple[float, float]],
     samples: int,
+    others: Callable[[], NormalEquations],
 ) -> NormalEquations | None:
-    """Those in the form ``"series"``, for texels that miss no sample; None where it does not serve, or is not the cheapest."""
+    """Those in the form ``"series"``, for texels that miss no sample; None where it does not serve, or `others` are cheaper."""
     if not loss.is_linear or robust.name != "none":
         return None
     model = Traced.of(trace, fitted, loss, robust, by_channel=False, whole=True)
@@ -88,8 +89,7 @@ def equations_of_whole(
     found = series(model, sample, slots)
     if found is None:
         return None
-    other = equations(trace, fitted, loss, robust)
-    return found if found.work(samples) < WORTH * other.work(samples) else None
+    return found if found.work(samples) < WORTH * others().work(samples) else None
 
 
 def module(fit: NormalEquations, coefficients: Coefficients, bounds: Columns) -> Printed:

@@ -16,6 +16,7 @@ alone, and fits that leave this interval are made by another form.
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -38,6 +39,8 @@ MOST_TERMS = 64
 # The number of terms is a multiple of this: sets of directions that differ a little then share a compiled module.
 STEP, SHARED_STEP = 4, 2
 NODES = 256
+# Multiplications that are not worth a second thread.
+ALONE = 200_000
 SHAPES = (0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5, 1.0, 1e6)  # a, in units of the largest value of the parameter
 # Moments are made in float32 and cancel: a sum of squares is known to this share of the data's, which is added to it, so that it does not get negative.
 FLOOR = 1e-6
@@ -71,13 +74,21 @@ class Coordinate:
         return (p * below - first) * scale - 1.0, self.shape * scale * (below * below)
 
 
+@functools.cache
+def _cosines() -> Floats:
+    order = np.arange(NODES)
+    return np.asarray(np.cos(np.outer(order, order + 0.5) * np.pi / NODES))
+
+
 def coefficients(values: Floats) -> Floats:
     """Chebyshev coefficients (NODES, ...) from values at the nodes (NODES, ...)."""
-    order = np.arange(NODES)
-    cosines = np.cos(np.outer(order, order + 0.5) * np.pi / NODES)
-    found = 2 / NODES * np.tensordot(cosines, values, 1)
+    flat = values.reshape(NODES, -1)
+    # Few rows at a time, which a library of linear algebra multiplies in this thread: its others take longer to wake than all of it takes.
+    rows = min(32, ALONE // flat.size) or NODES
+    found = np.concatenate([part @ flat for part in np.split(_cosines(), range(rows, NODES, rows))])
+    found *= 2 / NODES
     found[0] /= 2
-    return np.asarray(found)
+    return np.asarray(found.reshape(values.shape))
 
 
 def terms_needed(found: Floats, tolerance: float, step: int = STEP) -> tuple[int, float]:
