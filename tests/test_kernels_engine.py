@@ -596,3 +596,29 @@ def test_an_error_in_a_helper_thread_is_raised(monkeypatch: pytest.MonkeyPatch) 
     with pytest.raises(MemoryError, match="helper"):
         job.run(work)
     assert sorted(done) == sorted(set(done))
+
+
+def test_many_chunks_go_to_a_thread_together_and_one_at_the_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(workers, "threads", lambda: 2)
+    w = np.broadcast_to(np.float32([0, 0, 1]), (100 * engine.CHUNK + 7, 3))
+    job = jobs.Job(DUSTY, w, w)
+    shares = job.shares()
+    assert [first for first, _ in shares] == [0, *(last for _, last in shares[:-1])]
+    assert shares[-1][1] == len(w)
+    sizes = [(last - first) // engine.CHUNK for first, last in shares]
+    assert (sizes[0], sizes[-2:]) == (12, [1, 0])
+    assert len(sizes) < 40
+    outer = jobs.Job(DUSTY, np.ones((2, 3 * engine.CHUNK, 3)), np.ones((2, 1, 3)))
+    assert len(outer.shares()) == outer.chunks == 6  # rows that are copied a chunk at a time
+
+
+def test_shares_change_no_bits(monkeypatch: pytest.MonkeyPatch) -> None:
+    wi, wo = (upper_directions(9 * engine.CHUNK + 45, seed).astype(np.float32) for seed in (1, 2))
+    found = []
+    for several in (1, 2, 16):
+        monkeypatch.setattr(jobs, "SEVERAL", several)
+        monkeypatch.setattr(workers, "threads", lambda: 1)
+        found.append((engine.evaluate(DUSTY, wi, wo), engine.density(DUSTY, wi, wo)))
+    for values, density in found[1:]:
+        np.testing.assert_array_equal(values, found[0][0])
+        np.testing.assert_array_equal(density, found[0][1])

@@ -168,9 +168,9 @@ def _run(kind: str, job: Job, *targets: int) -> None:
     constants, varying = _constants(kernel, job), job.rows(kernel.varying)
     others = (constants, address(varying), job.count, *targets)
 
-    def work(chunk: int, room: int) -> None:
-        for a, b, first, last in job.pieces(chunk):
-            kernel.driver(*a, *b, *others, room, first, last)
+    def work(first: int, last: int, room: int) -> None:
+        for piece in job.pieces(first, last):
+            kernel.driver(*piece.wi, *piece.wo, *others, room, piece.first, piece.last)
 
     job.run(work)
 
@@ -249,10 +249,10 @@ def vjp(model: Parametrised, wi: ArrayLike, wo: ArrayLike, upstream: ArrayLike) 
 
     def work(chunk: int, room: int) -> None:
         sums = address(totals[chunk])
-        for wi, wo, first, last in job.pieces(chunk):
+        for wi, wo, first, last in job.pieces(*job.range(chunk)):
             kernel.driver(*wi, *wo, *others, sums, room, first, last)
 
-    job.run(work, gradients.room(kernel.printed))
+    job.spread(job.chunks, work, gradients.room(kernel.printed))
     return job.gathered(
         kernel.uniform.pullback(job.uniform, totals.sum(axis=0)), dict(zip(kernel.varying, slopes, strict=True))
     )

@@ -22,6 +22,8 @@ from motes.kernels.remembered import Remembered
 from motes.parameters import Parametrised, Slot
 
 CHUNK = 32 * TILE  # directions that a thread takes at a time
+# Chunks that a thread takes together where there are many and nothing is summed over them: each time costs some 10 microseconds, as 3,000 directions do.
+SEVERAL = 16
 # Rows of an outer product at least so long are computed where they are, one call of the driver each; shorter ones are copied, a chunk at a time.
 LONG = TILE // 2
 # Rows with parameters of their own at least so long are computed one by one, with what depends on parameters alone computed once for each.
@@ -152,9 +154,8 @@ class Job:
         """The number of directions to an entry of the first axis."""
         return math.prod(self.shape[1:])
 
-    def pieces(self, chunk: int) -> Iterator[Piece]:
-        """What to compute for a chunk: all of it at once, or the rows of an outer product."""
-        first, last = self.range(chunk)
+    def pieces(self, first: int, last: int) -> Iterator[Piece]:
+        """What to compute for some directions: all of it at once, or the rows of an outer product."""
         if self.wi.ndim == self.wo.ndim == 2:
             yield Piece(*self._places, first, last)
             return
@@ -250,12 +251,22 @@ class Job:
         """The first direction of a chunk and the one after its last."""
         return chunk * CHUNK, min(self.count, (chunk + 1) * CHUNK)
 
-    def run(self, work: Callable[[int, int], None], more: int = 0) -> None:
-        """Call ``work(chunk, room)`` for every chunk, on all cores; `room` is the address of scratch memory, with `more` items than usual."""
-        self.spread(self.chunks, work, more)
+    def shares(self) -> list[tuple[int, int]]:
+        """Ranges of directions, whole chunks, for threads to take in turn: fewer at a time towards the end, so that all are done at about the same time."""
+        found, chunk, most = [], 0, SEVERAL if self.wi.ndim == self.wo.ndim == 2 else 1
+        while chunk < self.chunks:
+            end = chunk + max(1, min(most, (self.chunks - chunk) // (4 * workers.threads())))
+            found.append((chunk * CHUNK, min(self.count, end * CHUNK)))
+            chunk = end
+        return found
+
+    def run(self, work: Callable[[int, int, int], None]) -> None:
+        """Call ``work(first, last, room)`` for all directions, on all cores; `room` is the address of scratch memory."""
+        shares = self.shares()
+        self.spread(len(shares), lambda share, room: work(*shares[share], room))
 
     def spread(self, tasks: int, work: Callable[[int, int], None], more: int = 0) -> None:
-        """The same for any number of tasks."""
+        """Call ``work(task, room)`` for every task, on all cores; `room` is the address of scratch memory, with `more` items than usual."""
         items = self._items + more + LINE // self.scalar.itemsize
         workers.spread(tasks, lambda task, room: work(task, aligned(room)), lambda: np.empty(items, self.scalar))
 
