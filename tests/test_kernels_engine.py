@@ -587,8 +587,8 @@ def test_an_error_in_a_helper_thread_is_raised(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(workers, "_pool", None)
     done: list[int] = []
 
-    def work(chunk: int, room: int) -> None:
-        done.append(chunk)
+    def work(first: int, last: int, room: int) -> None:
+        done.append(first)
         if threading.current_thread() is not threading.main_thread():
             raise MemoryError("helper")
         threading.Event().wait(0.05)
