@@ -13,6 +13,7 @@ import motes
 from fitting_oracle import Oracle
 from motes.fitting import texels as module
 from motes.fitting.metrics import MEDIAN_TO_DEVIATION, deviation
+from motes.fitting.printed import driver
 from motes.fitting.texels import Raw, TexelSolver
 
 Floats = NDArray[np.float64]
@@ -163,6 +164,19 @@ def test_a_robust_fit_is_tried_from_the_plain_one_only_where_that_is_far(monkeyp
         with np.errstate(invalid="ignore"):
             moved = np.nan_to_num(np.abs(one.x - every.x) / every.stderr)
         assert np.mean(moved.max(axis=1) > 0.01) <= 0.003
+
+
+def test_steps_by_the_curvature_of_a_robust_function_end_where_those_by_its_weights_do(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    data, fits = _texels()[0][:200], []
+    for least in (driver.LEAST_BENDING, 1.0):  # 1: a residual counts by its weight alone
+        monkeypatch.setattr(driver, "LEAST_BENDING", least)
+        fits.append(TexelSolver(PAINT, WI, WO, 3, robust="cauchy").fit(data, _solver()[1]))
+    by_curvature, by_weights = fits
+    moved = np.nan_to_num(np.abs(by_curvature.x - by_weights.x) / by_weights.stderr)
+    assert np.quantile(moved.max(axis=1), 0.98) < 3e-3
+    assert 1.5 * by_curvature.iterations.mean() < by_weights.iterations.mean()
 
 
 @pytest.mark.parametrize("count", [1, 2, 71, 72, 2000])

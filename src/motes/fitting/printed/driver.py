@@ -36,6 +36,9 @@ NO_VERDICT = 255
 LONG_RUN = 6
 # Steps that a fit of many times makes by a few of them.
 FIRST_STEPS = 2
+# Under a robust function a step that promises less than this share of the objective is near the end; from there on steps take the curvature of the objective
+# for what it is, but of each residual no less than this share of its weight.
+NEAR, LEAST_BENDING = 0.01, 0.02
 # Lines of the next block's memory that are asked for at a time, at one time and at several: all of it by the end of a block, but no more at once than a
 # processor keeps requests for.
 LINES_AHEAD = 20, 64
@@ -103,7 +106,7 @@ class Layout:
             "stops": 2 * self.size + 1,
             "next_stops": 2 * self.size + 1,
             "trial": self.size + 2,
-            "own": self.size + 1,
+            "own": self.size + 1 + self.robust,
             "curved": self.local_triangle if self.robust and not self.static else 0,
             "bent": self.triangle if self.robust else 0,
             "curvature": self.triangle if self.robust else 0,
@@ -139,6 +142,7 @@ class Layout:
             f"TRIANGLE, LOCAL_TRIANGLE = {self.triangle}, {self.local_triangle}",
             *(f"{name.upper()} = {SCALARS.index(name)}" for name in ("running", "iterations", "ending", "brightness")),
             f"NONE, ROUNDS, LONG, FIRST, LINES = {NO_VERDICT}, {ROUNDS}, {LONG_RUN}, {FIRST_STEPS}, {LINES_AHEAD[not self.static]}",
+            *([f"NEAR, LEAST = D({NEAR}), D({LEAST_BENDING})"] if self.robust else []),
         ]
         start = 0
         for name, rows in (*self.places().items(), ("opened", 0)):
@@ -199,6 +203,7 @@ class Layout:
                 *([] if self.static else ["    clear(curved, LOCAL_TRIANGLE)"]),
                 f"    curving_sums(columns, row, constants, {block}, samples, {into})",
                 *([] if self.static else ["    carry(curved, slopes, bent)"]),
+                *driver_text.FLAT,
                 "curvature_at(bent, matrix, curvature)",
             ]
         middle = [*parameters]
@@ -235,6 +240,8 @@ class Layout:
             "FEW_TIMES": "" if self.static else driver_text.FEW_TIMES,
             "WHOLE": driver_text.WHOLE if self.whole else "",
             "PARTIAL": driver_text.PARTIAL if self.by_sample and self.channels > 1 else "",
+            "STARTING": driver_text.STARTING if self.robust else "",
+            "BENDING": driver_text.BENDING if self.robust else "",
             "RESIDUALS": driver_text.RESIDUALS if self.robust else "",
         }.items():
             text = text.replace(f"<{key}>", value)

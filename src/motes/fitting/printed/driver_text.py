@@ -186,6 +186,24 @@ WHOLE = """if not brightness - brightness == D(0.0):
                 if n < count:
                     store(D, states, texel * STATE + 11, D(1.0), "plain", 0, 1)"""
 
+# Until a lane is near its end steps are shorter than those by the curvature of the objective, which may have no minimum there.
+STARTING = """store(D, own, (SIZE + 1) * LANES + n, D(1.0), "plain", 0, 1)"""
+
+BENDING = """for n in range(LANES):
+                near = load(D, trial, SIZE * LANES + n, "other", 1) < NEAR * load(D, state, SIZE * LANES + n, "other", 1)
+                store(D, own, (SIZE + 1) * LANES + n, LEAST if near else D(1.0), "plain", 0, 1)"""
+
+# Where the curvature is not positive errors are those of the weights themselves.
+FLAT = """flat = False
+for k in range(SIZE):
+    for n in range(LANES):
+        flat = flat or not load(D, bent, (k * (k + 1) // 2 + k) * LANES + n, "other", 1) > D(0.0)
+if flat:
+    for n in range(LANES):
+        store(D, own, (SIZE + 1) * LANES + n, D(1.0), "plain", 0, 1)
+    coming = normal_equations(x, room, own, columns, row, basis, times, 1, samples, data, room + AT_FRESH, coming, end)
+    matrix = room + AT_FRESH + 8 * LANES * (2 + SIZE)""".splitlines()
+
 RESIDUALS = """if out != 0:
             block = out + 4 * LANES * CHANNELS * given * times * (first // LANES)
             coming = residuals(state, room, own, columns, row, basis, times, 1, samples, data, given, block, coming, end)"""
@@ -229,6 +247,7 @@ def fit(
                 store(D, state, k * LANES + n, load(D, points, texel * SIZE + k, "other", 1), "plain", 0, 1)
                 store(D, own, k * LANES + n, load(D, held_at, texel * held_step + k, "other", 1), "plain", 0, 1)
             store(D, own, SIZE * LANES + n, load(D, noise, texel * noise_step, "other", 1), "plain", 0, 1)
+            <STARTING>
             for k in range(BRIGHTNESS):
                 store(D, state, (after + k) * LANES + n, load(D, states, texel * STATE + k, "other", 1), "plain", 0, 1)
             brightness, used = D(0.0), D(0.0)
@@ -274,6 +293,7 @@ def fit(
                 ended(state, trial, next_state)
                 state, next_state = next_state, state
                 break
+            <BENDING>
             coming = normal_equations(trial, room, own, columns, row, basis, times, 1, samples, data, fresh, coming, end)
             coming = ahead(coming, end)
             judged(state, box, trial, fresh, next_state)

@@ -111,7 +111,7 @@ def module(fit: NormalEquations, coefficients: Coefficients, bounds: Columns) ->
     opened, summed = Rows("opened", "D").put(fit.opened), Rows("summed", "D").put(fit.summed)
     shared = Uniform("shared", () if fit.tables is None else tuple(fit.tables.numbers))
     parameters = Rows("parameters", "D").put(model.parameters)
-    own = Rows("own", "D", {model.noise: size})  # after what is held
+    own = Rows("own", "D", {model.noise: size, model.bending: size + 1})  # after what is held
     leverage = Rows("leverage", "D").put(model.leverage)
     apart = coefficients_apart(coefficients, _apart(fit))
 

@@ -152,6 +152,8 @@ def direct(model: Traced) -> NormalEquations:
         slopes = [w * graph.lift(model.robust.sloped(graph, z)) for w, z in zip(weights, sizes, strict=True)]
         bends = [w * graph.lift(model.robust.bent(graph, z)) for w, z in zip(weights, sizes, strict=True)]
         curving = model.products(jacobian, bends)
+        # What steps are made of: positive, and near the solution almost the curvature.
+        slopes = [graph.maximum(bend, model.bending * slope) for bend, slope in zip(bends, slopes, strict=True)]
     wanted = [lost, *model.gradient(residuals, jacobian), *model.products(jacobian, slopes)]
     sums = Sums(graph, "sum")
     lost, *rest = [sums.of(symbol) for symbol in wanted]

@@ -95,6 +95,8 @@ class Traced:
         Those parts of the outputs that depend on directions alone: they are taken off the data.
     noise
         The size of a residual in units of which the robust function measures.
+    bending
+        Under a robust function: the least share of a residual's weight that a step takes for the curvature of the objective there.
     leverage
         Leaves for the (packed) inverse of the curvature.
     by_channel
@@ -109,6 +111,7 @@ class Traced:
     data: Data
     robust: Robust
     noise: Symbol
+    bending: Symbol
     leverage: tuple[Symbol, ...]
     by_channel: bool
 
@@ -124,13 +127,13 @@ class Traced:
     ) -> Traced:
         """From the trace of a model (recorded without a look at the horizon) and the slots that are fitted; `whole`: nothing is missing (`Data.whole`)."""
         graph = trace.graph
-        root, cosine, noise = graph.leaf("root"), graph.leaf("cosine"), graph.leaf("noise")
+        root, cosine, noise, bending = (graph.leaf(name) for name in ("root", "cosine", "noise", "bending"))
         raw = tuple(graph.leaf(f"raw[{c}]") for c in range(len(trace.outputs)))
         parameters = tuple(p.symbol for slot in fitted for p in trace.parameters if p.slot == slot)
         leverage = tuple(graph.leaf(f"leverage[{k}]") for k in range(len(parameters) * (len(parameters) + 1) // 2))
         leaves = trace.leaves()
         leaves |= {p.symbol: DIRECTIONS for p in trace.parameters if p.symbol not in parameters}
-        leaves |= {root: DIRECTIONS, cosine: DIRECTIONS, noise: PARAMETERS}
+        leaves |= {root: DIRECTIONS, cosine: DIRECTIONS, noise: PARAMETERS, bending: PARAMETERS}
         leaves |= dict.fromkeys(leverage, PARAMETERS) | dict.fromkeys(raw, DATA)
 
         def transformed(f: Symbol) -> Symbol:
@@ -162,7 +165,17 @@ class Traced:
             data = (Data.by_channel if by_channel else Data.by_sample)(graph, raw, targets, root)
         leaves |= dict.fromkeys(data.leaves, DATA)
         return cls(
-            leaves, parameters, tuple(outputs), tuple(slopes), tuple(offsets), data, robust, noise, leverage, by_channel
+            leaves,
+            parameters,
+            tuple(outputs),
+            tuple(slopes),
+            tuple(offsets),
+            data,
+            robust,
+            noise,
+            bending,
+            leverage,
+            by_channel,
         )
 
     @property

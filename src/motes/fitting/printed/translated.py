@@ -107,8 +107,8 @@ def _constants(node: ast.Assign) -> Iterator[str]:
         assert isinstance(name, ast.Name)
         if isinstance(value, ast.Constant) and isinstance(value.value, int):
             yield f"#define {name.id} {value.value}"
-        elif isinstance(value, ast.Call) and name.id == "BLANK":
-            yield f"#define BLANK {_Expression().text(value)}"
+        elif isinstance(value, ast.Call):
+            yield f"#define {name.id} {_Expression().text(value)}"
 
 
 # ---------------------------------------------------------------- programs over rows
