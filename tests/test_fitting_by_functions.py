@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+import motes
 from motes.directions import from_spherical
 from motes.fitting.problem import Problem
 from motes.fitting.setup import Wishes, prepare
+from motes.kernels.separated import separated
 from motes.measurements import Measurement
 
 MODELS = (
@@ -105,3 +107,16 @@ def test_other_weights_in_each_channel_and_losses_that_bend_go_by_the_derivative
     ):
         assert prepare(data, "oren_nayar", wishes).problem._by_functions is None
     assert prepare(data, "hapke", Wishes("linear", "none", "measurement", {}, ())).problem._by_functions is None
+
+
+def test_functions_are_not_so_small_that_their_products_are_below_normal_numbers() -> None:
+    """Where a highlight is narrow, its exponential is; processors take a hundred cycles for each such number."""
+    model = motes.OrenNayar(0.4, 0.3) + motes.TorranceSparrow(0.2, 0.1)
+    made = separated(model, ["K_d", "sigma_d", "K_s", "sigma_s"])
+    assert made is not None
+    data = measured(500)
+    columns = made.geometry(data.wi, data.wo).columns
+    for sigma_s in (0.01, 0.03, 0.1):
+        for b in made.functions(columns, {"sigma_s": np.array([[sigma_s]])}):
+            size = np.abs(b[b != 0])
+            assert size.min() ** 2 > 1e-290

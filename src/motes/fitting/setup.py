@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from motes.arrays import any_last
 from motes.errors import DataError, MotesError
+from motes.fitting.choice import parsed
 from motes.fitting.columns import unit_of
 from motes.fitting.even_weights import everywhere, one_number
 from motes.fitting.losses import LOSSES, ROBUST, Floats, Loss
@@ -19,7 +20,7 @@ from motes.fitting.quantities import Quantity, layout
 from motes.fitting.scaled import Scaled, physical
 from motes.measurements import Measurement
 from motes.measurements.policy import LARGEST
-from motes.models import BRDF, describe, parse
+from motes.models import BRDF, describe
 from motes.models.expressions import Parsed
 
 
@@ -72,7 +73,7 @@ def fitted_of(
             f"a model of type {type(model).__name__} cannot be fitted", "Give text such as 'oren_nayar', or a BRDF"
         )
     brdf, held = (
-        (model, frozenset[str]()) if isinstance(model, BRDF) else parse(model) if isinstance(model, str) else model
+        (model, frozenset[str]()) if isinstance(model, BRDF) else parsed(model) if isinstance(model, str) else model
     )
     names = [slot.name for slot in brdf.slots()]
     for name in (*fixed, *per_channel):

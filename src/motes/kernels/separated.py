@@ -25,6 +25,8 @@ from motes.printing.printer import statements
 Floats = NDArray[np.float64]
 #: Of more functions, or more that hold parameters, sums of all products take longer than the formula itself.
 MOST, MOST_MIXED = 12, 6
+#: Exponents of functions do not go below; e^-300 is 1e-130.
+LEAST_EXPONENT = -300.0
 #: Directions of which functions are made at a time: what is written on the way stays in cache.
 BLOCK = 4096
 #: Functions by their coefficients.
@@ -170,7 +172,7 @@ def _made(trace: tracing.Trace, fitted: tuple[str, ...], per_channel: frozenset[
     coefficients = list(dict.fromkeys([*value.values(), *(q for row in rows.values() for q in row.values())]))
     place = {q: k for k, q in enumerate(coefficients)}
     texts = {symbol: f"{slot}_" if keyword.iskeyword(slot) else slot for symbol, slot in slots.items()}
-    moving = functions[fixed:]
+    moving = _without_subnormals(functions[fixed:])
     columns = tracing.frontier(moving, tracing.dependence(moving, leaves), DIRECTIONS)
     held_by = tuple(slot for symbol, slot in slots.items() if symbol in set(tracing.live(moving)))
     asked = tuple(slot for symbol, slot in slots.items() if symbol in set(tracing.live(coefficients)))
@@ -193,6 +195,16 @@ def _made(trace: tracing.Trace, fitted: tuple[str, ...], per_channel: frozenset[
         written("coefficients", coefficients, texts, [texts[by_slot[s]] for s in asked]),
         asked,
     )
+
+
+def _without_subnormals(functions: Sequence[Symbol]) -> list[Symbol]:
+    """The same with exponentials that stay so large that no product of two functions is below the smallest normal number: Intel's processors take a
+    hundred cycles for each of those, and what is so small adds nothing to any sum."""
+
+    def rule(symbol: Symbol, args: tuple[Symbol, ...]) -> Symbol | None:
+        return symbol.graph.apply("exp", symbol.graph.maximum(args[0], LEAST_EXPONENT)) if symbol.op == "exp" else None
+
+    return tracing.rewritten(functions, rule)
 
 
 def _terms(symbol: Symbol, leaves: Mapping[Symbol, int], mark: Symbol) -> list[tuple[Symbol, Symbol, bool]]:
