@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import threading
+import time
 
+import numpy as np
 import pytest
 
 from motes import workers
@@ -72,3 +74,29 @@ def test_an_error_beside_is_raised_where_the_result_is_asked_for(monkeypatch: py
     failed = workers.Beside(fails)
     with pytest.raises(ValueError, match="no"):
         failed.result()
+
+
+def test_alone_the_library_of_linear_algebra_wakes_no_thread() -> None:
+    def others() -> float:
+        return time.process_time() - time.thread_time()
+
+    matrices = np.random.default_rng(2).standard_normal((8, 48, 48))
+    matrices += np.swapaxes(matrices, 1, 2)
+    number_of = (workers._openblas() or (lambda: 1,))[0]
+    number, before = number_of(), others()
+    with workers.alone(), workers.alone():
+        assert number_of() == 1
+        for _ in range(5):
+            np.linalg.eigh(matrices)
+    assert others() - before < 5e-3
+    assert number_of() == number
+
+
+def test_alone_ends_for_all_when_the_last_one_does() -> None:
+    number_of = (workers._openblas() or (lambda: 1,))[0]
+    number = number_of()
+    with workers.alone():
+        with workers.alone():
+            pass
+        assert number_of() == 1
+    assert number_of() == number

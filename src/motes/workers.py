@@ -5,11 +5,15 @@
 
 from __future__ import annotations
 
+import ctypes
+import importlib
+import itertools
 import os
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
-from contextlib import suppress
+from contextlib import contextmanager, suppress
+from functools import cache
 from typing import Generic, TypeVar
 
 T = TypeVar("T")
@@ -17,6 +21,8 @@ T = TypeVar("T")
 _pool: ThreadPoolExecutor | None = None
 _lock = threading.RLock()
 _here = threading.local()
+# How many are in `alone`, and how many threads OpenBLAS had before.
+_asking, _before = 0, 1
 
 
 def threads() -> int:
@@ -90,6 +96,44 @@ class Beside(Generic[T]):
             _here.at_work = outer
 
 
+@contextmanager
+def alone() -> Iterator[None]:
+    """Within it OpenBLAS, where that is NumPy's library of linear algebra, has no threads but the one that asks.
+
+    It shares work as small as eigenvalues of some thirty columns among threads of its own, and these wait busily for more: ten times the
+    processor time, and more by the clock where other threads want the processors.
+    """
+    global _asking, _before
+    library = _openblas()
+    if library is None:
+        yield
+        return
+    number_of, set_number = library
+    with _lock:
+        if not _asking:
+            _before = number_of()
+            set_number(1)
+        _asking += 1
+    try:
+        yield
+    finally:
+        with _lock:
+            _asking -= 1
+            if not _asking:
+                set_number(_before)
+
+
+@cache
+def _openblas() -> tuple[Callable[[], int], Callable[[int], None]] | None:
+    """How many threads it may use, and what says so; None where NumPy has another library, or it is not to be found."""
+    with suppress(Exception):
+        numpy = ctypes.CDLL(importlib.import_module("numpy.linalg._umath_linalg").__file__)
+        for before, after in itertools.product(("scipy_", ""), ("64_", "")):
+            with suppress(AttributeError):
+                return tuple(getattr(numpy, f"{before}openblas_{what}_num_threads{after}") for what in ("get", "set"))
+    return None
+
+
 def at_work() -> bool:
     """Whether this thread is at a task of `spread`."""
     return bool(getattr(_here, "at_work", False))
@@ -105,8 +149,8 @@ def _helpers() -> ThreadPoolExecutor:
 
 def _forked() -> None:
     """A child has none of its parent's threads, and a lock may have been held by one of them."""
-    global _pool, _lock
-    _pool, _lock = None, threading.RLock()
+    global _pool, _lock, _asking
+    _pool, _lock, _asking = None, threading.RLock(), 0
 
 
 if hasattr(os, "register_at_fork"):

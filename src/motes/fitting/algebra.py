@@ -13,6 +13,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from motes import workers
 from motes.arrays import Array
 
 # Pivots of a correlation matrix below this are rounding.
@@ -142,7 +143,8 @@ class Arrays:
         size = len(matrix)
         ridge = LEAST_PIVOT * np.eye(size)
         finite = np.nan_to_num(np.moveaxis(matrix, 2, 0), posinf=0.0, neginf=0.0) + ridge
-        return np.moveaxis(np.linalg.pinv(finite, rcond=1e-16, hermitian=True), 0, 2)
+        with workers.alone():
+            return np.moveaxis(np.linalg.pinv(finite, rcond=1e-16, hermitian=True), 0, 2)
 
     def sandwich(self, inverse: Array, middle: Array) -> Array:
         i, m = np.moveaxis(inverse, 2, 0), np.moveaxis(middle, 2, 0)
@@ -152,7 +154,8 @@ class Arrays:
 def pseudo_inverse(matrix: Array, unit: Array, rcond: float) -> Array:
     """The pseudo-inverse of symmetric matrices (..., P, P), whose eigenvalues are compared in units (P,) of the parameters."""
     square = np.outer(unit, unit)
-    return np.asarray(np.linalg.pinv(matrix * square, rcond=rcond, hermitian=True) * square)
+    with workers.alone():
+        return np.asarray(np.linalg.pinv(matrix * square, rcond=rcond, hermitian=True) * square)
 
 
 def _smallest(matrix: Array, right: Array) -> Array:

@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from motes import workers
 from motes.fitting.covariance import LEAST_REMAINDER
 from motes.fitting.direction_blocks import Labels
 from motes.fitting.losses import Floats
@@ -79,9 +80,10 @@ def evened(scores: Floats, shares: Floats, inverse: Floats, power: float = 0.5) 
     how much the fit moves without the block.  In the coordinates in which L is 1, M has eigenvalues h, the leverages; no block is taken to
     leave less than `LEAST_REMAINDER` of its residuals.
     """
-    values, vectors = np.linalg.eigh(0.5 * (inverse + inverse.T))
-    root = vectors * np.sqrt(np.maximum(values, 0.0))  # L = root root'
-    leverage, turn = np.linalg.eigh(root.T @ shares @ root)  # (G, P), (G, P, P)
+    with workers.alone():
+        values, vectors = np.linalg.eigh(0.5 * (inverse + inverse.T))
+        root = vectors * np.sqrt(np.maximum(values, 0.0))  # L = root root'
+        leverage, turn = np.linalg.eigh(root.T @ shares @ root)  # (G, P), (G, P, P)
     leverage = np.clip(leverage, 0.0, 1.0 - LEAST_REMAINDER)
     gain = (1.0 - leverage) ** -power
     # (1 - M L)^-power s = s + M root turn (gain - 1) / h turn' root' s, also for parameters that L holds.
