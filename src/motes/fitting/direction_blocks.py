@@ -6,6 +6,7 @@ to be independent (errors summed over parts of the data, or parts that are left 
 
 from __future__ import annotations
 
+import math
 import weakref
 
 import numpy as np
@@ -23,6 +24,8 @@ BLOCKS, LEAST_DIRECTIONS = 24, 4
 SAME = 1e-6
 # How far from where a cut should be it is looked for first [pairs].
 WINDOW = 32
+# Fewer pairs are sorted in as little time as their part.
+SORTED_WHOLE = 4096
 # Pairs that are worked on at a time, and from how many on threads share the work.
 AT_ONCE = 8192
 # Of directions that do not change, as those of a measurement, until they go: many fits ask for their blocks.
@@ -82,7 +85,7 @@ def _cut(at: Floats, part: Labels, count: int) -> list[Labels]:
     if count < 2:
         return [part]
     first = count // 2
-    for axis in np.argsort(at.min(axis=1) - at.max(axis=1), kind="stable"):
+    for axis in (np.minimum.reduce(at, axis=1) - np.maximum.reduce(at, axis=1)).argsort(kind="stable"):
         beyond = end_of_first(at[axis], first / count)
         if beyond is not None:
             before = at[axis] < beyond
@@ -114,7 +117,8 @@ def end_of_first(along: Floats, share: float) -> float | None:
     near, far = middle - WINDOW, middle + WINDOW
     if near > LEAST_DIRECTIONS and far < count - LEAST_DIRECTIONS:
         # A cut lies here as a rule, and what is farther off need not be sorted for that: a quarter of the time.
-        found = _nearest_cut(np.sort(sorted_part(along, near, far)), share * count - near, 1)
+        part = np.sort(along)[near : far + 1] if count < SORTED_WHOLE else np.sort(sorted_part(along, near, far))
+        found = _nearest_cut(part, share * count - near, 1)
         if found is not None:
             return found
     return _nearest_cut(np.sort(along), share * count, LEAST_DIRECTIONS)
@@ -122,6 +126,9 @@ def end_of_first(along: Floats, share: float) -> float | None:
 
 def _nearest_cut(sorted_: Floats, target: float, least: int) -> float | None:
     """The number that begins the second part, of two places, with at least so many numbers in each; the parts as close to `target` as can be."""
+    nearest = math.ceil(target - 0.5)
+    if least <= nearest <= len(sorted_) - least and sorted_[nearest] - sorted_[nearest - 1] > SAME:  # as a rule
+        return float(sorted_[nearest])
     apart = sorted_[least:] - sorted_[least - 1 : -1] > SAME
     cuts = apart[: len(apart) - least + 1].nonzero()[0] + least
     return float(sorted_[cuts[np.abs(cuts - target).argmin()]]) if len(cuts) else None
