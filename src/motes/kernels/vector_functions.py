@@ -39,8 +39,9 @@ class Lanes:
         self.words = vector(lanes, "i32" if letter == "F" else "i64")
         self._exponentials: dict[Value, tuple[Value, Value]] = {}
         self._powers: dict[tuple[Value, bool], tuple[Value, Value]] = {}
-        #: Whether roots in float64 are made by multiplications, of whole vectors of AVX-512.
+        #: Whether roots in float64 are made by multiplications, of whole vectors of AVX-512; the third of three is left to the divider, beside these.
         self.multiplied_roots = False
+        self._roots = 0
 
     def number(self, value: float) -> Value:
         """The same number in all lanes."""
@@ -65,9 +66,7 @@ class Lanes:
             first = b.compared("ogt" if op == "minimum" else "olt", args[0], args[1])
             return b.select(first, args[1], args[0])
         if op == "sqrt":
-            return (
-                self._root(args[0]) if self.multiplied_roots and self.letter == "D" else self._called("sqrt", args[0])
-            )
+            return self._root(args[0])
         if op in ("exp", "expm1"):
             return self._exponential(op, args[0])
         if op in _BASE_2:
@@ -116,7 +115,13 @@ class Lanes:
     # ------------------------------------------------------------ functions
 
     def _root(self, x: Value) -> Value:
-        """The same square root, rounded as the processor's instruction for it rounds, from an estimate of 14 bits.
+        self._roots += 1
+        if self.multiplied_roots and self.letter == "D" and self._roots % 3:
+            return self._multiplied_root(x)
+        return self._called("sqrt", x)
+
+    def _multiplied_root(self, x: Value) -> Value:
+        """The square root, rounded as the processor's instruction for it rounds, from an estimate of 14 bits.
 
         Two of Goldschmidt's steps make it good to a unit of the last place, and half of its inverse to as much; what its square lacks of x is then known
         exactly, and says how to round.  (Two processors' estimates differ, the results do not.)  Where x is 0 or infinite, so is the root.
