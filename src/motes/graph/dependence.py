@@ -18,14 +18,15 @@ DIRECTIONS, PARAMETERS = 1, 2  # the bits of a model's leaves
 
 def live(outputs: Iterable[Symbol], given: Container[Symbol] = ()) -> list[Symbol]:
     """The symbols that the outputs need, themselves included, each after its arguments; none that only `given` ones need."""
-    seen: set[Symbol] = set()
-    stack = list(outputs)
+    seen = set(outputs)
+    stack = list(seen)
     while stack:
         symbol = stack.pop()
-        if symbol not in seen:
-            seen.add(symbol)
-            if symbol not in given:
-                stack.extend(symbol.args)
+        if symbol not in given:
+            for a in symbol.args:
+                if a not in seen:
+                    seen.add(a)
+                    stack.append(a)
     return sorted(seen, key=_index)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Collection
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -113,25 +114,27 @@ def _curvature(algebra: Formulas, bent: Formula, matrix: Formula) -> Array:
 
 def verdict_functions(signed: Floats, squared: Floats, robust: bool, apart: Collection[int]) -> list[str]:
     """All of them, for columns of which some are signed, or in the square of their parameter (1, else 0), and some `apart` (packed)."""
+    of = tuple(signed.tolist()), tuple(squared.tolist()), frozenset(apart)
     functions = ({"curvature_at": (_curvature, ("curvature",))} if robust else {}) | FUNCTIONS
-    return [_printed(name, step, targets, signed, squared, apart) for name, (step, targets) in functions.items()]
+    return [_printed(name, step, targets, *of) for name, (step, targets) in functions.items()]
 
 
+@lru_cache(maxsize=64)
 def _printed(
     name: str,
     step: Callable[..., Any],
     targets: tuple[str, ...],
-    signed: Floats,
-    squared: Floats,
-    apart: Collection[int],
+    signed: tuple[float, ...],
+    squared: tuple[float, ...],
+    apart: frozenset[int],
 ) -> str:
-    """The text of a function."""
+    """The text of a function; the forms of a fit have the same."""
     algebra, size = Formulas(), len(signed)
     box = {key: algebra.vector(key, 1 if key in NUMBERS else size) for key in BOX}
     vectors = {key: vector for key, vector in box.items() if key not in NUMBERS}
     held = {
-        "signed": algebra.numbers(signed),
-        "squared": algebra.numbers(squared),
+        "signed": algebra.numbers(np.array(signed)),
+        "squared": algebra.numbers(np.array(squared)),
         "fixed": algebra.numbers(np.zeros(size)),
     }
     given: dict[str, Any] = box | {"columns": Columns(**vectors, **held)}

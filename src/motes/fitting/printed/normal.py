@@ -128,15 +128,17 @@ class Sums:
         self.graph, self.name = graph, name
         self.integrands: list[Symbol] = []
         self.leaves: list[Symbol] = []
+        self._known: dict[Symbol, Symbol] = {}
 
     def of(self, integrand: Symbol) -> Symbol:
         """The sum of `integrand`; of 0 it is 0."""
         if integrand.is_constant(0.0):
             return integrand
-        if integrand not in self.integrands:
-            self.leaves.append(self.graph.leaf(f"{self.name}[{len(self.leaves)}]"))
+        if integrand not in self._known:
+            self._known[integrand] = self.graph.leaf(f"{self.name}[{len(self.leaves)}]")
+            self.leaves.append(self._known[integrand])
             self.integrands.append(integrand)
-        return self.leaves[self.integrands.index(integrand)]
+        return self._known[integrand]
 
 
 def direct(model: Traced) -> NormalEquations:
