@@ -53,6 +53,7 @@ def _values(model: Traced, rng: np.random.Generator) -> dict[tracing.Symbol, np.
         v /= np.linalg.norm(v, axis=0)
         values |= {f"{w}.{axis}": x for axis, x in zip("xyz", v, strict=True)}
     values |= {"cosine": values["wi.z"], "root": rng.uniform(0.5, 1.5, COUNT), "noise": np.float64(0.3)}
+    values["bending"] = np.float64(0.3)
     numbers = {
         leaf: values[leaf.value] if leaf.value in values else np.float64(rng.uniform(0.2, 0.8))
         for leaf, bit in model.leaves.items()
@@ -110,7 +111,8 @@ def test_the_forms_are_the_normal_equations(
         objective = 0.5 * unit**2 * rho.rho(z).sum()
         psi = residual * rho.slope(z)
         gradient = np.einsum("cpn,cn->p", rows, psi)
-        matrix = np.einsum("cpn,cn,cqn->pq", rows, rho.slope(z), rows)
+        stepping = np.maximum(rho.bend(z), by_name["bending"] * rho.slope(z))
+        matrix = np.einsum("cpn,cn,cqn->pq", rows, stepping, rows)
         curvature = np.einsum("cpn,cn,cqn->pq", rows, rho.bend(z), rows)
         size = len(free)
         inverse = np.array([[by_name[f"leverage[{packed(i, j)}]"] for j in range(size)] for i in range(size)]) * 0.02
