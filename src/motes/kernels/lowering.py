@@ -34,7 +34,7 @@ from typing import Any, NamedTuple
 from motes.kernels import vectors
 from motes.kernels.assembly import BYTE, DOUBLE, FLOAT, INT, WORD, Assembly, Value, number
 from motes.kernels.lowered_values import Expressions, Returned, plain, widest
-from motes.kernels.machine_code import is_x86
+from motes.kernels.machine_code import is_x86, without_estimates
 
 # Bits of x86's control register: results below the smallest normal number become 0, and operands so small count as 0.
 _FLUSHING = 0x8000 | 0x0040
@@ -147,6 +147,8 @@ class _Function(Expressions):
             how = "alwaysinline nounwind" if _decorated(self.node, "inline") else "nounwind"
             if _decorated(self.node, "apart"):
                 how = "noinline optsize nounwind"
+        if without_estimates():
+            how += ' "reciprocal-estimates"="none"'
         found = Returned(self.label, self.returned)
         linkage = "" if _decorated(self.node, "kernel") else "internal "
         self.module.assembly.functions.append(self.builder.function(self.label, found.kind, self.given, how, linkage))

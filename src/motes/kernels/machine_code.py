@@ -103,6 +103,14 @@ def long_roots() -> bool:
     return vector_bytes() == 64 and not str(binding.get_host_cpu_name()).startswith("znver")
 
 
+def without_estimates() -> bool:
+    """Whether 1/sqrt(x) is made without the processor's estimate of 12 bits, which makers' processors give different bits of: where a level is named.
+
+    That of 14 bits, of AVX-512, is kept: Intel says what each of its bits is, and a tenth of the time goes without it.
+    """
+    return _processor()[0] in LEVELS and vector_bytes() < 64
+
+
 def tuning() -> str:
     """The processor for which LLVM orders a program of vectors; nothing where that is the one at hand.
 
