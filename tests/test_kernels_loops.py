@@ -73,3 +73,11 @@ def test_the_loop_is_vectorised_and_calls_nothing(printer: Callable[..., loops.K
     assert re.search(r"call [\w ]*<\d+ x float> @llvm\.sqrt", ir)
     called = set(re.findall(r"call [^@\n]*@([\w.\"]+)\(", ir))
     assert not [name for name in called if re.search(r"^(exp|expm1|asin|pow|sqrt)f?$", name)], called
+
+
+def test_samples_are_made_in_whole_vectors_of_the_processor() -> None:
+    trace = recorded(Kind.SAMPLE, DUSTY, 3)
+    assert trace is not None
+    text = machine_code.assembly(lowered(loops.sampling(trace, (), "float32").source).text)
+    whole = {64: "zmm", 32: "ymm", 16: "xmm"}[machine_code.vector_bytes()]
+    assert len(re.findall(rf"v?mulps.*%{whole}", text)) > 50

@@ -145,6 +145,7 @@ def gradient(
 
 # `u` are two random numbers; what is sampled is brought from rows into three arrays.
 SAMPLE = """
+@wide
 @kernel
 @flushing
 def sample(
