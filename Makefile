@@ -4,6 +4,7 @@
 # make blender  Blender's extension, a zip in dist
 # make docs   the documentation as a site, in out/site
 # make bench  install what the benchmarks need, run them, and write docs/benchmarks.md (EFFORT=quick, normal or full)
+# make before  the first version and today's in one run, in turn; writes docs/before.md
 # make fuzz   damaged files for everything that reads, MINUTES=1 long; writes docs/fuzzing.md
 # make test-lowest  the lowest versions that pyproject.toml allows, in an environment of their own, and the tests that touch each of them
 # make dist   the wheel and the source archive in dist, byte for byte the same from the same commit
@@ -26,7 +27,7 @@ LOWEST_TESTS := $(patsubst %,tests/test_%.py,models equations fitting_solver gra
 	measurements_tables measurements_readers maps_making maps_cluster meshes_files rendering_scenes rendering_plugins exports_materialx exports_usd \
 	certification_glsl soiling gltf cli)
 
-.PHONY: demo test test-lowest lint blender docs bench fuzz dist clean
+.PHONY: demo test test-lowest lint blender docs bench before fuzz dist clean
 .DELETE_ON_ERROR:
 
 demo: $(VENV)/.installed-all
@@ -82,6 +83,9 @@ docs: $(VENV)/.installed-docs
 
 bench: $(VENV)/.installed-dev
 	$(BIN)/python benchmarks/run.py --effort $(EFFORT)
+
+before: $(VENV)/.installed-dev
+	$(BIN)/python benchmarks/before.py
 
 fuzz: $(VENV)/.installed-dev
 	$(BIN)/python tools/fuzz.py --minutes $(MINUTES) --output docs/fuzzing.md

@@ -25,7 +25,7 @@ def description() -> dict[str, str]:
         "Python": f"{platform.python_version()} ({platform.python_implementation()})",
         "Motes": motes.__version__,
     }
-    versions = {name: _version(name) for name in PACKAGES}
+    versions = {name: version(name) for name in PACKAGES}
     found["Packages"] = ", ".join(f"{name} {version}" for name, version in versions.items() if version)
     if missing := [name for name, version in versions.items() if not version]:
         found["Not installed"] = ", ".join(missing)
@@ -96,7 +96,8 @@ def _memory() -> str:
         return "unknown"
 
 
-def _version(package: str) -> str:
+def version(package: str) -> str:
+    """Of an installed package; empty where it is not."""
     try:
         return metadata.version(package)
     except metadata.PackageNotFoundError:

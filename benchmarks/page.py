@@ -67,14 +67,14 @@ def page(run: Run, sections: Sequence[Section], pictures: Mapping[str, str]) -> 
         *_goals(sections),
     ]
     for section in sections:
-        lines += _section(section, pictures.get(section.title))
+        lines += section_lines(section, pictures.get(section.title))
     for printed in run.printed:
         lines += [f"## {printed.title}", "", printed.text.strip(), "", f"Made by `{printed.command}`.", ""]
     return "\n".join(lines)
 
 
 def _machine(run: Run) -> list[str]:
-    lines = ["## The machine", "", *_table(["", ""], [[k, v] for k, v in run.machine.items()]), ""]
+    lines = ["## The machine", "", *table_lines(["", ""], [[k, v] for k, v in run.machine.items()]), ""]
     rows = [
         [
             part.name,
@@ -88,7 +88,7 @@ def _machine(run: Run) -> list[str]:
         *lines,
         "How the run went, and how much of the processors other work took meanwhile (wall times mean little where that is much):",
         "",
-        *_table(["part", "seconds", "others [%]", ""], rows),
+        *table_lines(["part", "seconds", "others [%]", ""], rows),
         "",
     ]
 
@@ -107,30 +107,34 @@ def _goals(sections: Sequence[Section]) -> list[str]:
                     section.title,
                 ]
             )
-    return ["## Goals", "", *_table(["", "goal", "measured", "", "section"], rows), ""] if rows else []
+    return ["## Goals", "", *table_lines(["", "goal", "measured", "", "section"], rows), ""] if rows else []
 
 
-def _section(section: Section, picture: str | None) -> list[str]:
-    lines = [f"## {section.title}", "", *_wrapped(section.filled(section.intro)), ""]
+def section_lines(section: Section, picture: str | None = None) -> list[str]:
+    """Lines of a section, its figures filled in."""
+    lines = [f"## {section.title}", "", *wrapped(section.filled(section.intro)), ""]
     for table in section.tables:
         if table.title:
             lines += [f"**{table.title}**", ""]
-        lines += [*_table(table.columns, [[section.filled(cell) for cell in row] for row in table.rows]), ""]
+        lines += [*table_lines(table.columns, [[section.filled(cell) for cell in row] for row in table.rows]), ""]
     if picture:
         lines += [f"![{section.title}]({picture})", ""]
     if section.reading:
-        lines += ["What this says:", "", *_wrapped(*map(section.filled, section.reading), bullet="- "), ""]
+        lines += ["What this says:", "", *wrapped(*map(section.filled, section.reading), bullet="- "), ""]
     if section.skipped:
-        lines += ["Skipped:", "", *_wrapped(*section.skipped, bullet="- "), ""]
+        lines += ["Skipped:", "", *wrapped(*section.skipped, bullet="- "), ""]
     return [*lines, f"Made by `{section.made_by}`.", ""]
 
 
-def _wrapped(*paragraphs: str, bullet: str = "") -> list[str]:
+def wrapped(*paragraphs: str, bullet: str = "") -> list[str]:
+    """Lines of paragraphs, each begun by a bullet."""
     options = {"break_long_words": False, "break_on_hyphens": False, "subsequent_indent": " " * len(bullet)}
     return [line for text in paragraphs for line in textwrap.wrap(bullet + text, WIDTH, **options)]
 
 
-def _table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
+def table_lines(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
+    """Lines of a table."""
+
     def line(cells: Sequence[str]) -> str:
         return f"| {' | '.join(cell.replace('|', '/') for cell in cells)} |"
 

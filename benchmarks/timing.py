@@ -6,6 +6,8 @@ counts.  Wall time says what a user gets; processor time, over all threads, depe
 
 from __future__ import annotations
 
+import os
+import threading
 import time
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
@@ -15,9 +17,11 @@ import numpy as np
 
 from results import Number
 
-SHORTEST = 2e-3  # seconds: a call that takes less is repeated within a round
-# Seconds to look whether a candidate's threads are still at work: those of Dr.Jit wait for more, some 17 ms of a processor, after their last task.
-LOOK, LONGEST = 2e-3, 0.2
+SHORTEST = 20e-3  # seconds: a call that takes less is repeated within a round
+# Seconds to look whether a candidate's threads are still at work, and how many looks in a row must find them quiet: those of Dr.Jit wait for more on
+# and off, some 17 ms of a processor, after their last task.
+LOOK, QUIET, LONGEST = 4e-3, 6, 0.3
+AWAKE = 10e-3  # seconds of work before each measurement: a processor that rested takes milliseconds to come back to its speed
 
 
 @dataclass
@@ -59,11 +63,28 @@ class Timing:
 def settle() -> None:
     """Wait until no other thread of this process is at work: what one candidate leaves behind is not the next one's."""
     end = time.perf_counter() + LONGEST
-    busy = True
-    while busy and time.perf_counter() < end:
+    quiet = 0
+    while quiet < QUIET and time.perf_counter() < end:
         before = time.process_time()
         time.sleep(LOOK)
-        busy = time.process_time() - before > 0.2 * LOOK
+        quiet = quiet + 1 if time.process_time() - before < 0.2 * LOOK else 0
+
+
+def awake() -> None:
+    """Keep all processors at work for a moment, in NumPy's code, which holds no lock."""
+    numbers = np.ones(4096)
+
+    def work() -> None:
+        end = time.perf_counter() + AWAKE
+        while time.perf_counter() < end:
+            np.sqrt(numbers, out=numbers)
+
+    threads = [threading.Thread(target=work) for _ in range((os.cpu_count() or 1) - 1)]
+    for thread in threads:
+        thread.start()
+    work()
+    for thread in threads:
+        thread.join()
 
 
 def interleaved(
@@ -100,6 +121,7 @@ def interleaved(
             if name in in_a_loop:
                 call()
             settle()
+            awake()
             wall, cpu = time.perf_counter(), time.process_time()
             for _ in range(count):
                 call()
