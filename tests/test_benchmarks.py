@@ -236,6 +236,7 @@ def test_seconds_are_divided_by_items_and_repeats(monkeypatch: pytest.MonkeyPatc
     clock = SimpleNamespace(perf_counter=lambda: now[0], process_time=lambda: now[1])
     monkeypatch.setattr(timing, "time", clock)
     monkeypatch.setattr(timing, "settle", lambda: None)
+    monkeypatch.setattr(timing, "awake", lambda: None)
 
     def call(seconds: float) -> None:
         now[0] += seconds
