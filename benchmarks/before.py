@@ -16,7 +16,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.util import find_spec
 from math import log
@@ -184,7 +184,7 @@ def viewed(root: Path, environment: dict[str, str], number: int) -> dict[str, li
 
 
 def measured(folder: Path, rounds: int, quick: bool = False) -> Iterator[dict[str, Any]]:
-    """Both versions in turn; after each round all that was found so far, by round, instruction set and version."""
+    """Both versions in turn; after each part all that was found so far, by round, instruction set and version."""
     import instruction_sets
 
     roots = {"first": first_version(folder), "today": ROOT}
@@ -195,25 +195,35 @@ def measured(folder: Path, rounds: int, quick: bool = False) -> Iterator[dict[st
     for number in range(rounds):
         order = STATES if number % 2 == 0 else STATES[::-1]
         seen: dict[tuple[str, str], dict[str, Any]] = {(level, state): {} for level in levels for state in STATES}
-        for level in levels:
-            own = environment("today", level, folder)
-            other = child(ROOT, "principled", own, "--level", level, *options)
-            for part in PARTS:
-                if part not in COMPILED and level != levels[0]:
-                    continue
-                began = time.perf_counter()
-                for state in order:
-                    seen[level, state] |= child(roots[state], part, environment(state, level, folder), *options)
-                print(f"round {number + 1}, {level}, {part}: {time.perf_counter() - began:.0f} s", flush=True)
-            for state in STATES:
-                seen[level, state] |= other
-        if not quick:
-            for state in order:
-                seen[levels[0], state] |= viewed(roots[state], environment(state, levels[0], folder), number)
         found += [{"level": level, "state": state, "seconds": s} for (level, state), s in seen.items()]
-        seconds, others = meter.others()
-        done = {"rounds": number + 1, "machine": where, "seconds": seconds, "others": others, "levels": levels}
-        yield done | {"found": found}
+        for level, part in asked(levels, quick):
+            began = time.perf_counter()
+            if part == "principled":
+                other = child(ROOT, part, environment("today", level, folder), "--level", level, *options)
+                for state in STATES:
+                    seen[level, state] |= other
+            else:
+                for state in order:
+                    own = environment(state, level, folder)
+                    if part == "viewer":
+                        seen[level, state] |= viewed(roots[state], own, number)
+                    else:
+                        seen[level, state] |= child(roots[state], part, own, *options)
+            print(f"round {number + 1}, {level}, {part}: {time.perf_counter() - began:.0f} s", flush=True)
+            seconds, others = meter.others()
+            done = {"rounds": number + 1, "machine": where, "seconds": seconds, "others": others, "levels": levels}
+            yield done | {"found": found}
+
+
+def asked(levels: Sequence[str], quick: bool) -> list[tuple[str, str]]:
+    """Instruction sets and parts of a round."""
+    parts = ["principled", *PARTS, *(["viewer"] if not quick else [])]
+    return [
+        (level, part)
+        for level in levels
+        for part in parts
+        if level == levels[0] or part in COMPILED or part == "principled"
+    ]
 
 
 # ---------------------------------------------------------------- the page

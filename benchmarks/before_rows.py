@@ -31,7 +31,7 @@ from timing import interleaved
 Found = dict[str, list[float]]  # wall and processor seconds
 MODEL = "oren_nayar + torrance_sparrow"
 SIZES = (300, 10_000, 100_000, 1_000_000)
-GROWTH = (10_000, 100_000)
+GROWTH = (5_000, 50_000)
 ALONE = "motes_dusty over principled"
 
 
@@ -102,7 +102,7 @@ def texels(quick: bool) -> Found:
     from texels import solver
 
     counts = (128, 256) if quick else GROWTH
-    case, fitter, series = Case.of(counts[-1]), solver(), Series.of(64 if quick else 5_000)
+    case, fitter, series = Case.of(counts[-1]), solver(), Series.of(64 if quick else 3_000)
     candidates: dict[str, tuple[Callable[[], Any], float]] = {
         f"texels_{name}": (lambda n=n: fitter.fit(case.noisy[:n], case.starts[:n], own_starts=True), n)
         for name, n in zip(("few", "many"), counts, strict=True)
