@@ -199,7 +199,8 @@ def first_use(quick: bool) -> Found:
             taken = []
             for k in range(1 if quick else 3):
                 with tempfile.TemporaryDirectory() as cache:
-                    environment = os.environ | {"MOTES_CACHE": cache, "PYTHONPATH": os.pathsep.join(sys.path[:2])}
+                    environment = _environment() | {"MOTES_CACHE": cache}
+                    environment.pop("PYTHONDONTWRITEBYTECODE", None)  # users have compiled modules
                     run = [sys.executable, "-c", code, str(source.path), str(folder / f"{name}-{k}.zarr")]
                     times, wall = os.times(), time.perf_counter()
                     subprocess.run(run, env=environment, check=True, capture_output=True)
