@@ -86,11 +86,17 @@ ROWS = [
     rate("`fit_map`, reading and writing included [thousands/s]", "map", 1e-3),
     quotient("`fit_map` over its fits alone, by processor time", "solver", "map", "≥ 0.7", clock=1),
     *(
-        duration(f"a map's fit under `{name}` [µs]", f"loss_{name}", 1e6)
+        duration(f"a map's fit under `{name}`, reading and writing included [µs]", f"loss_{name}", 1e6)
         for name in ("linear", "log", "cube_root", "soft_l1", "huber", "cauchy")
     ),
     *(
-        quotient(f"`{name}` over `linear`, by processor time", f"loss_{name}", "loss_linear", "≤ 4", clock=1)
+        quotient(
+            f"`{name}` over `linear`, reading and writing included, by processor time",
+            f"loss_{name}",
+            "loss_linear",
+            "≤ 4",
+            clock=1,
+        )
         for name in ("log", "cube_root", "soft_l1", "huber", "cauchy")
     ),
     Row(f"exponent of growth, {GROWTH[0]:,} to {GROWTH[1]:,} texels", exponent, "≤ 1.02"),
@@ -277,7 +283,8 @@ def page(data: Mapping[str, Any]) -> str:
         f"{data['rounds']} rounds in which both versions took turns on one machine; edit nothing here. The first version is commit `{FIRST}`, whose kernels "
         "Numba compiled. Every measurement is a process of its own. Figures are medians over the rounds with their quartiles in brackets; *x as fast* "
         "compares the two round by round by the clock, *x by processor time* the time of all threads together. Other work took "
-        f"{taken} of the processors in the {data['seconds'] / 60:.0f} minutes. Goals are those that were set after the first version had been measured. What "
+        f"{taken} of the processors in the {data['seconds'] / 60:.0f} minutes, browsers that show the viewer included. Goals are those that were "
+        "set after the first version had been measured. What "
         "each figure is about, with other programs beside it, is in the [benchmarks](benchmarks.md); which ways were tried is in "
         "[where the time goes](speed.md).",
     )
