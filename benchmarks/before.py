@@ -23,6 +23,7 @@ from math import log
 from pathlib import Path
 from typing import Any
 
+import instruction_sets
 import machine
 from before_rows import GROWTH, PARTS
 from motes import MotesError
@@ -149,8 +150,10 @@ def first_version(folder: Path) -> Path:
         packed = subprocess.run(["git", "-C", str(ROOT), "archive", FIRST], capture_output=True, check=False)
         if packed.returncode != 0:
             raise MotesError(f"the history does not hold commit {FIRST}", "Fetch it: git fetch --unshallow")
-        root.mkdir(parents=True)
-        subprocess.run(["tar", "-x", "-C", str(root)], input=packed.stdout, check=True)
+        with tempfile.TemporaryDirectory(dir=folder) as unpacked:  # there whole or not at all
+            subprocess.run(["tar", "-x", "-C", unpacked], input=packed.stdout, check=True)
+            Path(unpacked).rename(root)
+            Path(unpacked).mkdir()  # which is removed
     return root
 
 
@@ -191,8 +194,6 @@ def viewed(root: Path, environment: dict[str, str], number: int) -> dict[str, li
 
 def measured(folder: Path, rounds: int, quick: bool = False) -> Iterator[dict[str, Any]]:
     """Both versions in turn; after each part all that was found so far, by round, instruction set and version."""
-    import instruction_sets
-
     roots = {"first": first_version(folder), "today": ROOT}
     options = ["--quick"] * quick
     levels = instruction_sets.levels() or [AS_IT_IS]
@@ -259,8 +260,6 @@ def section(data: Mapping[str, Any], level: str) -> Section:
                 figures[f"x{clock}_{k}"] = Number.of([a[clock] / b[clock] for a, b in both])
                 compared[clock] = f"{{x{clock}_{k}}}"
         rows.append([row.label, cells.get("first", "not there"), cells["today"], *compared, row.goal])
-    import instruction_sets
-
     name = instruction_sets.SETS.get(level, level)
     return Section(
         title=name,

@@ -167,14 +167,15 @@ def single(quick: bool) -> Found:
     import warnings
 
     import motes
+    from fits import simulated
 
     found: Found = {}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         for n in SIZES[: 1 if quick else None]:
-            motes.fit(_measured(n), MODEL)
+            motes.fit(simulated(n // 3, 3), MODEL)
             taken = []
-            for data in [_measured(n) for _ in range(1 if quick else 3 if n > SIZES[-2] else 7)]:
+            for data in [simulated(n // 3, 3) for _ in range(1 if quick else 3 if n > SIZES[-2] else 7)]:
                 began = _now()
                 motes.fit(data, MODEL)
                 taken.append(_now() - began)
@@ -288,18 +289,6 @@ def _from_first_block(source: Any, out: Path, **options: Any) -> np.ndarray:
 
     maps.fit_map(source, MODEL, out=out, progress=progress, **options)
     return np.asarray(_now() - first[0])
-
-
-def _measured(n: int) -> Any:
-    """Fresh noise on a rough surface with a highlight, three channels."""
-    import motes
-
-    rng = np.random.default_rng(1)
-    z, phi = rng.uniform(0.2, 1, (2, n // 3)), rng.uniform(-np.pi, np.pi, (2, n // 3))
-    wi, wo = np.stack([np.sqrt(1 - z**2) * np.cos(phi), np.sqrt(1 - z**2) * np.sin(phi), z], axis=-1)
-    truth = motes.OrenNayar(np.linspace(0.2, 0.6, 3), 0.4) + motes.TorranceSparrow(0.3, 0.2)
-    f = truth.eval(wi, wo)
-    return motes.Measurement.from_arrays(wi, wo, f * (1 + 0.02 * rng.standard_normal(f.shape)))
 
 
 PARTS: dict[str, Callable[[bool], Any]] = {

@@ -64,7 +64,7 @@ def test_what_a_processor_lacks_is_refused(
     monkeypatch.setattr(machine_code, "host_features", lambda: set(machine_code.features_of(there)) if there else set())
     monkeypatch.setenv("MOTES_PROCESSOR", level)
     with pytest.raises(MotesError) as caught:
-        machine_code._processor.__wrapped__()
+        machine_code.processor.__wrapped__()
     assert message in caught.value.message
     assert hint in caught.value.hint
 
@@ -74,9 +74,9 @@ def test_a_level_is_what_is_compiled_for(monkeypatch: pytest.MonkeyPatch) -> Non
     widths = {"x86-64-v2": 16, AVX2: 32, "x86-64-v4": 64}
     for level, width in widths.items():
         monkeypatch.setenv("MOTES_PROCESSOR", level)
-        told = machine_code._processor.__wrapped__()
+        told = machine_code.processor.__wrapped__()
         assert told[0] == level
-        monkeypatch.setattr(machine_code, "_processor", lambda told=told: told)
+        monkeypatch.setattr(machine_code, "processor", lambda told=told: told)
         assert machine_code.vector_bytes() == width
         assert level in machine_code.description().split("\0")  # which the names of kernels in the cache are made of
         monkeypatch.undo()

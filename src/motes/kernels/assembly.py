@@ -19,6 +19,8 @@ SIZES = {TRUTH: 1, BYTE: 1, INT: 4, WORD: 8, FLOAT: 4, DOUBLE: 8}
 LINE = 64  # bytes of a cache line
 # Letters from which on a module is compiled in parts, a third of a second's work, and that a part has at least.
 SHORT, PART = 200_000, 70_000
+# Objects of other systems than Linux have not been seen to find each other.
+IN_PARTS = sys.platform.startswith("linux")
 _FLOATS = {"F": FLOAT, "D": DOUBLE}
 
 
@@ -85,12 +87,11 @@ class Assembly:
     def parts(self) -> list[str]:
         """The same in parts that can be compiled at once, whose objects belong together.
 
-        What is not `apart` goes with all that call it.  A short module is one part, and so is one that is mostly one function.  Objects of other systems
-        than Linux have not been seen to find each other.
+        What is not `apart` goes with all that call it.  A short module is one part, and so is one that is mostly one function.
         """
         apart = sorted((function for function in self.functions if function.apart), key=lambda f: -len(f.text))
         longest, whole = len(apart[0].text) if apart else 0, sum(len(function.text) for function in apart)
-        if not sys.platform.startswith("linux") or whole < SHORT or 2 * longest > whole:
+        if not IN_PARTS or whole < SHORT or 2 * longest > whole:
             return [self.text()]
         parts: list[list[Function]] = [[]]
         for function in apart:

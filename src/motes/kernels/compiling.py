@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Self
 
 from motes import workers
-from motes.kernels import machine_code, object_code
+from motes.kernels import assembly, machine_code, object_code
 
 #: Processes besides this one.
 MOST_HELPERS = 3
@@ -42,7 +42,7 @@ class Parts:
         self._waiting: list[int] = []
         self._found: dict[int, bytes] = {}
         self._helpers: list[Helper] = []
-        if len(source) >= LONG and source.count("\ndef ") >= MANY:
+        if assembly.IN_PARTS and len(source) >= LONG and source.count("\ndef ") >= MANY:
             with suppress(OSError, RuntimeError, ImportError):  # no more processes or threads can be had
                 for _ in range(min(MOST_HELPERS, workers.threads() - 1)):
                     self._start()

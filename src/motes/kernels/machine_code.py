@@ -29,11 +29,11 @@ LEVELS = {
 
 def _machine() -> Any:
     """What LLVM knows of this processor; an engine takes one for itself."""
-    return object_code.machine_for(*_processor())
+    return object_code.machine_for(*processor())
 
 
 @functools.cache
-def _processor() -> tuple[str, str]:
+def processor() -> tuple[str, str]:
     """The processor's name, and what it can do; or a level of it."""
     from llvmlite import binding
 
@@ -88,7 +88,7 @@ def is_x86() -> bool:
 
 def vector_bytes() -> int:
     """The bytes of the processor's vectors."""
-    features = set(_processor()[1].split(","))
+    features = set(processor()[1].split(","))
     return 64 if "+avx512f" in features else 32 if "+avx" in features else 16
 
 
@@ -108,7 +108,7 @@ def without_estimates() -> bool:
 
     That of 14 bits, of AVX-512, is kept: Intel says what each of its bits is, and a tenth of the time goes without it.
     """
-    return _processor()[0] in LEVELS and vector_bytes() < 64
+    return processor()[0] in LEVELS and vector_bytes() < 64
 
 
 def tuning() -> str:
@@ -125,17 +125,12 @@ def description() -> str:
     from llvmlite import binding
 
     versions = [llvmlite.__version__, *map(str, binding.llvm_version_info)]
-    return "\0".join([*versions, binding.get_process_triple(), *_processor(), str(long_roots())])
-
-
-def processor() -> tuple[str, str]:
-    """The name and the features of the processor that is compiled for."""
-    return _processor()
+    return "\0".join([*versions, binding.get_process_triple(), *processor(), str(long_roots())])
 
 
 def compiled(text: str) -> bytes:
     """The object of a module, or of a part of one."""
-    return object_code.object_of(text, *_processor())
+    return object_code.object_of(text, *processor())
 
 
 def assembly(text: str) -> str:

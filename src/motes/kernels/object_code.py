@@ -1,6 +1,6 @@
 """From LLVM's text to an object, as linkers know them: by this process, or by another that runs this file.
 
-It imports nothing of Motes, so that a process which only compiles starts in a twentieth of a second.
+It imports nothing of Motes, so that a process which only compiles starts in a tenth of a second.
 """
 
 from __future__ import annotations
