@@ -289,7 +289,7 @@ def page(data: Mapping[str, Any]) -> str:
     )
     more = wrapped(
         "A fit of today does more than one of the first version: its error bars allow for a model that is not quite true, and it says which parameters "
-        "the data do not tell. What is odd about the data of one time is looked for when somebody reads it, as the command line does, and is not in these times.",
+        "the data do not tell. What is odd about data of one time is looked for when somebody reads it, as the command line does, and is not in these times.",
     )
     rows = [[k, v] for k, v in data["machine"].items() if v]
     lines = ["# Before and after", "", *words, "", *more, "", "## The machine", "", *table_lines(["", ""], rows), ""]
